@@ -59,12 +59,16 @@ struct alignas(32) ContactBatch {
     float k[10][8];            // J M^-1 J^T of the normals, with raised diagonal: 00 01 02 03 11 12 ...
     float inverse[10][8];      // for the rows that pushed last; 0 in the others
     float coupling[9][8];      // change of slip by impulses along n, row by row
-    float twistK[6][8];        // J M^-1 J^T of s_1, s_2, w_n
-    float twistMass[6][8];     // its inverse; without w_n for a single point
+    float twistMass[6][8];     // inverse of J M^-1 J^T of s_1, s_2, w_n; without w_n for a single point
     float rolling[8];          // rho, m
     WidePoint point[kPoints];
-    WideCone slide[kPoints];   // friction of single points, made when a manifold slips; k[0] < 0: not made
     WideRolling roll;
+};
+
+/// What a sweep reads only of batches in which a manifold slips: large piles are swept as fast as memory is read.
+struct alignas(32) ContactSlip {
+    float twistK[6][8];        // J M^-1 J^T of s_1, s_2, w_n
+    WideCone slide[ContactBatch::kPoints];  // of single points, made when a manifold slips; k[0] < 0: not made
 };
 
 /// The rest of a batch's data, read a few times per step, not in every sweep.

@@ -173,21 +173,21 @@ ENGINE_INLINE Lanes3 sweepNormals(ContactBatch& c, const Lanes3& along, Correcti
     return together(c, change);
 }
 
-ENGINE_INLINE void sweepOne(ContactBatch& c, WideVelocity* v, Corrections& worst) {
+ENGINE_INLINE void sweepOne(ContactBatch& c, ContactSlip& slips, WideVelocity* v, Corrections& worst) {
     const PairLanes pair(c, v);
     const Motion6 motion = pair.motion();
     Motion6 impulse = onlyAlong(sweepNormals(c, motion.along, worst));
     if (FrictionLanes::present(c)) {
         const Lanes3 slip = load3(c.slip) + motion.across + times(c.coupling, impulse.along);
-        impulse.across = FrictionLanes(c).solve(c.point, slip, worst);
+        impulse.across = FrictionLanes(c, slips).solve(c.point, slip, worst);
     }
     pair.apply(impulse, v);
     if (resistsRolling(c)) solveRolling(c, v, worst);
 }
 
-void sweep(ContactBatch* batches, int count, WideVelocity* v, WideSums& sums) {
+void sweep(ContactBatch* batches, ContactSlip* slips, int count, WideVelocity* v, WideSums& sums) {
     Corrections worst{Lanes::load(sums.velocity), Lanes::load(sums.impulse)};
-    for (int k = 0; k < count; ++k) sweepOne(batches[k], v, worst);
+    for (int k = 0; k < count; ++k) sweepOne(batches[k], slips[k], v, worst);
     worst.velocity.store(sums.velocity), worst.impulse.store(sums.impulse);
 }
 

@@ -29,7 +29,7 @@ struct ContactKernels {
     /// Writes the frames, arms, gaps, masses and last impulses of the contacts.
     void (*fill)(const ContactInputs&, ContactBatch&, ContactRecord&);
     /// Computes K, its inverse and the friction masses from arms, normals and masses.
-    void (*prepare)(ContactBatch&, const ContactRecord&);
+    void (*prepare)(ContactBatch&, const ContactRecord&, ContactSlip&);
     /// C = C0 + J (translation, rotation since then); true if some overlap is deeper than the slop.
     bool (*separate)(const ContactBatch&, ContactRecord&, const WideVelocity* motions,
                      const WideStep&);
@@ -38,7 +38,7 @@ struct ContactKernels {
     /// v += M^-1 J^T lambda
     void (*warmStart)(ContactBatch&, WideVelocity*, const WideStep&);
     /// Sweeps the batches in order: the normals of a manifold together, then its friction.
-    void (*sweep)(ContactBatch*, int count, WideVelocity*, WideSums&);
+    void (*sweep)(ContactBatch*, ContactSlip*, int count, WideVelocity*, WideSums&);
     /// Adds translations and rotations that remove the share beta of every overlap; true if there
     /// was one.
     bool (*nudge)(const ContactBatch&, const ContactRecord&, WideVelocity* ways, const WideStep&);

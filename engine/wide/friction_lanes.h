@@ -14,14 +14,14 @@ ENGINE_INLINE void storeSlide(const Symmetric3& k, const WidePoint& point, WideC
 }
 
 /// Of all lanes, when the first one slips after prepare(); the same again for those that have slipped before.
-inline void makeSlides(ContactBatch& c) {
-    const Symmetric3 k = load6(c.twistK);
-    for (int i = 0; i < ContactBatch::kPoints; ++i) storeSlide(k, c.point[i], c.slide[i]);
+inline void makeSlides(const ContactBatch& c, ContactSlip& slips) {
+    const Symmetric3 k = load6(slips.twistK);
+    for (int i = 0; i < ContactBatch::kPoints; ++i) storeSlide(k, c.point[i], slips.slide[i]);
 }
 
 class FrictionLanes {
 public:
-    ENGINE_INLINE explicit FrictionLanes(ContactBatch& c) : c_(c) {
+    ENGINE_INLINE FrictionLanes(const ContactBatch& c, ContactSlip& slips) : c_(c), slips_(slips) {
         const Lanes mu = Lanes::load(c.mu);
         load_ = total_.x = total_.y = total_.z = Lanes(0.0f);
         for (int i = 0; i < 4; ++i) {
@@ -90,11 +90,11 @@ private:
 
     /// Solves the points of slipping lanes one after the other.
     ENGINE_INLINE Lanes3 slide(const Mask& slips, Lanes3 slip, Corrections& worst) {
-        if (any(Lanes::load(c_.slide[0].k) < Lanes(0.0f))) makeSlides(c_);
-        const Symmetric3 k = load6(c_.twistK);
+        if (any(Lanes::load(slips_.slide[0].k) < Lanes(0.0f))) makeSlides(c_, slips_);
+        const Symmetric3 k = load6(slips_.twistK);
         Lanes3 sum = Lanes(0.0f) * slip;
         for (int i = 0; i < 4; ++i) {
-            const WideCone& point = c_.slide[i];
+            const WideCone& point = slips_.slide[i];
             const Lanes s1 = slip.x - y_[i] * slip.z, s2 = slip.y + x_[i] * slip.z;
             const Lanes &f1 = before1_[i], &f2 = before2_[i];
             const Lanes2 after = solveInCone(point, {f1, f2}, {s1, s2}, limit_[i]);
@@ -110,7 +110,8 @@ private:
         return sum;
     }
 
-    ContactBatch& c_;
+    const ContactBatch& c_;
+    ContactSlip& slips_;
     Lanes limit_[4], before1_[4], before2_[4], after1_[4], after2_[4], x_[4], y_[4];
     Lanes load_;    // sum of mu lambda, N s
     Lanes3 total_;  // F_1, F_2, T before

@@ -91,7 +91,7 @@ void WideContacts::pass(int group, int half, int number) {
     for (int k = first; k < end; k += kInOneGo) {
         const int until = smaller(k + kInOneGo, end);
         for (int j = k; j < until; ++j) overlap_.waitFor(j, number, otherFirst, otherCount);
-        if (number > 0) kernels_->sweep(&batches_[k], until - k, now_.data(), sums);
+        if (number > 0) kernels_->sweep(&batches_[k], &slips_[k], until - k, now_.data(), sums);
         for (int j = k; number == 0 && j < until; ++j)
             kernels_->warmStart(batches_[j], now_.data(), step_);
         if (until == end && number > 0) overlap_.report(half, number - 1, reportOf(sums));

@@ -81,7 +81,7 @@ ENGINE_INLINE void storeTwistMass(ContactBatch& c, const Symmetric3& k, const Ma
     for (int i = 0; i < 6; ++i) where(real, entries[i]).store(c.twistMass[i]);
 }
 
-inline void prepare(ContactBatch& c, const ContactRecord& record) {
+inline void prepare(ContactBatch& c, const ContactRecord& record, ContactSlip& slips) {
     const Lanes3 n = load3(c.n), t1 = load3(c.t1), t2 = load3(c.t2);
     const Lanes3 armA = load3(c.centre), armB = armA + load3(c.offset);
     Levers along, across;
@@ -100,9 +100,9 @@ inline void prepare(ContactBatch& c, const ContactRecord& record) {
                        Levers::k(across, 0, across, 2), mass + Levers::k(across, 1, across, 1),
                        Levers::k(across, 1, across, 2), Levers::k(across, 2, across, 2)};
     const Lanes entries[6] = {k.xx, k.xy, k.xz, k.yy, k.yz, k.zz};
-    for (int i = 0; i < 6; ++i) entries[i].store(c.twistK[i]);
+    for (int i = 0; i < 6; ++i) entries[i].store(slips.twistK[i]);
     storeTwistMass(c, k, Lanes(0.0f) < Lanes::load(c.reach));
-    Lanes(kNotMade).store(c.slide[0].k);  // most manifolds never slip
+    Lanes(kNotMade).store(slips.slide[0].k);  // most manifolds never slip
     if (resistsRolling(c))
         storeCone(Levers::k(along, 1, along, 1), Levers::k(along, 1, along, 2),
                   Levers::k(along, 2, along, 2), c.roll.cone);

@@ -68,7 +68,8 @@ void addBodies(const Bodies& bodies, const Contact& contact, std::span<const Mat
 
 /// Bodies that do not move, without a point.
 void leaveEmpty(int lane, ContactInputs& inputs) {
-    addContact(Contact{}, lane, inputs);
+    static const Contact none;
+    addContact(none, lane, inputs);
     set3(inputs.apart, lane, Vec3::Zero());
     inputs.massA[lane] = inputs.massB[lane] = 0.0;
     set6(inputs.turnA, lane, Mat3::Zero()), set6(inputs.turnB, lane, Mat3::Zero());
@@ -76,12 +77,13 @@ void leaveEmpty(int lane, ContactInputs& inputs) {
 }
 
 /// Copies the data of one lane; the other lanes keep every bit.
-void copyLane(const ContactBatch& from, int lane, ContactBatch& to) {
+template <class Batch>
+void copyLane(const Batch& from, int lane, Batch& to) {
     constexpr std::size_t kLane = sizeof(float), kRow = 8 * kLane;
-    static_assert(sizeof(ContactBatch) % kRow == 0, "rows of eight, and nothing between them");
+    static_assert(sizeof(Batch) % kRow == 0, "rows of eight, and nothing between them");
     const auto* source = reinterpret_cast<const char*>(&from) + kLane * lane;
     auto* target = reinterpret_cast<char*>(&to) + kLane * lane;
-    for (std::size_t at = 0; at < sizeof(ContactBatch); at += kRow)
+    for (std::size_t at = 0; at < sizeof(Batch); at += kRow)
         std::memcpy(target + at, source + at, kLane);
 }
 
@@ -113,7 +115,7 @@ void WideContacts::prepare(std::span<const Contact> contacts, std::span<const in
     arrange(contacts, order, bodies);
     prepareBodies(bodies);
     const int count = static_cast<int>(schedule_.batches().size());
-    batches_.resize(count), records_.resize(count);
+    batches_.resize(count), records_.resize(count), slips_.resize(count);
     place_.resize(contacts.size());
     batchSpans_.assign(count, 1.0f);  // all are filled
     eachBatch([&](int k) { fillBatch(k, contacts, bodies); });
@@ -184,7 +186,7 @@ void WideContacts::fillBatch(int batch, std::span<const Contact> contacts, const
         addBodies(bodies, contact, axes_, lane, inputs);
     }
     kernels_->fill(inputs, c, record);
-    kernels_->prepare(c, record);
+    kernels_->prepare(c, record, slips_[batch]);
 }
 
 void WideContacts::beginSubstep(const Bodies& bodies) {
@@ -247,7 +249,7 @@ void WideContacts::warmStart(int group) {
 
 SweepReport WideContacts::sweepBatches(int first, int end) {
     WideSums sums;
-    kernels_->sweep(batches_.data() + first, end - first, now_.data(), sums);
+    kernels_->sweep(batches_.data() + first, slips_.data() + first, end - first, now_.data(), sums);
     return reportOf(sums);
 }
 
@@ -330,9 +332,10 @@ void WideContacts::followTurns(const Bodies& bodies) {
             any = true;
         }
         if (!any) return;
-        kernels_->prepare(made, records_[k]);
+        ContactSlip slips = slips_[k];
+        kernels_->prepare(made, records_[k], slips);
         for (int lane = 0; lane < 8; ++lane)
-            if (hasTurned(k, lane)) copyLane(made, lane, c);
+            if (hasTurned(k, lane)) copyLane(made, lane, c), copyLane(slips, lane, slips_[k]);
     });
 }
 

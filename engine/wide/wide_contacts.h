@@ -122,6 +122,7 @@ private:
     Overlap overlap_;
     std::vector<ContactBatch> batches_;
     std::vector<ContactRecord> records_;
+    std::vector<ContactSlip> slips_;
     std::vector<int> place_;                 // by contact: 8 batch + lane
     std::vector<BodyPair> pairs_;
     // By body; then a slot of zeros that empty lanes read, and one per half for unused results.
