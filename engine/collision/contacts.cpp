@@ -47,8 +47,9 @@ bool rests(const Bodies& bodies, std::span<const Contact> asleep, const PairKey&
 
 /// Adds up to two contacts. `near` (m): the margin, or as far as the hits of this step may throw the two.
 /// `old`: the first previous contact that does not belong to an earlier pair. Returns true if it was kept.
-bool addContacts(const Bodies& bodies, const PairKey& pair, double margin, double near, double dt,
-                 std::size_t old, const ContactFinder& finder, std::vector<Contact>& found) {
+bool addContacts(const Bodies& bodies, const PairKey& pair, const MovingPairs::Entry* known, double margin,
+                 double near, double dt, std::size_t old, const ContactFinder& finder,
+                 std::vector<Contact>& found) {
     const PiecePair whole{pair, wholeOf(bodies.defs[pair.a].shape),
                           wholeOf(bodies.defs[pair.b].shape)};
     const auto meet = [&](const Impact& impact) {
@@ -57,7 +58,7 @@ bool addContacts(const Bodies& bodies, const PairKey& pair, double margin, doubl
             found.push_back(contactOf(bodies, pair, met.manifolds[i], Found::onTheWay));
         return false;
     };
-    if (const auto impact = impactOf(bodies, pair, finder.moving, margin, near, dt)) return meet(*impact);
+    if (const auto impact = impactOf(bodies, pair, known, finder.moving, margin, near, dt)) return meet(*impact);
     if (keepContact(finder, old, pair, bodies, dt, found)) return true;
     const Shape &a = bodies.defs[pair.a].shape, &b = bodies.defs[pair.b].shape;
     const Manifold manifold = collide(a, bodies.poses[pair.a], b, bodies.poses[pair.b], margin);
@@ -86,10 +87,10 @@ void findOfPairs(const Bodies& bodies, std::span<const PairKey> pairs, double ma
                  const ContactFinder& finder, Looked& looked, std::vector<Contact>& found) {
     const std::vector<Contact>& previous = finder.previous;
     const auto isBefore = [](const Contact& c, const PairKey& pair) { return pairOf(c) < pair; };
-    std::size_t old = 0;
-    if (!pairs.empty())
-        old = std::lower_bound(previous.begin(), previous.end(), pairs.front(), isBefore) -
-              previous.begin();
+    if (pairs.empty()) return;
+    std::size_t old =
+        std::lower_bound(previous.begin(), previous.end(), pairs.front(), isBefore) - previous.begin();
+    MovingEntries entries(finder.moving, pairs.front());
     for (const PairKey& pair : pairs) {
         if (found.size() > kMostContacts || isTooMuch({&looked, 1})) return;
         const double thrown = finder.moving.throwOf(pair);
@@ -101,9 +102,10 @@ void findOfPairs(const Bodies& bodies, std::span<const PairKey> pairs, double ma
         const std::size_t first = found.size();
         const double near = larger(margin, thrown);
         const bool whole = areWhole(bodies, pair);
-        const bool kept = whole ? addContacts(bodies, pair, margin, near, dt, old, finder, found)
-                                : addContactsOfPieces(bodies, pair, finder.broadPhase, finder.moving, margin,
-                                                      near, dt, previous, old, looked, found);
+        const MovingPairs::Entry* known = entries.of(pair);
+        const bool kept = whole ? addContacts(bodies, pair, known, margin, near, dt, old, finder, found)
+                                : addContactsOfPieces(bodies, pair, finder.broadPhase, finder.moving, known,
+                                                      margin, near, dt, previous, old, looked, found);
         for (std::size_t i = first; !kept && i < found.size(); ++i)
             if (const Contact* from = sameAs(found[i], previous, old, i == first, whole))
                 carryImpulses(*from, found[i]);

@@ -117,7 +117,12 @@ Manifold afterImpact(const Pair& pair, const Manifold& first, double time, doubl
     return m;
 }
 
-/// True if no point of one moves past the other by kPasses; (x + y + z)^2 <= 3 (x^2 + y^2 + z^2).
+/// At least wayOf() squared, without a root: (x + y + z)^2 <= 3 (x^2 + y^2 + z^2).
+double mostWaySquared(const Motion& a, const Motion& b, double dt) {
+    return 3.0 * dt * dt * ((b.velocity - a.velocity).squaredNorm() + a.sweep * a.sweep + b.sweep * b.sweep);
+}
+
+/// True if no point of one moves past the other by kPasses; a bound as above.
 bool hardlyMove(const Motion& a, const Motion& b, const Vec3& between, double dt) {
     const double most = between.squaredNorm() + a.spin.squaredNorm() * a.size * a.size +
                         b.spin.squaredNorm() * b.size * b.size;
@@ -196,10 +201,12 @@ bool findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
     moving.motions.resize(bodies.count());
     for (const int i : bodies.active) moving.motions[i] = motionOf(bodies, i, dt);
     moving.entries.clear();
+    const double little = smaller(margin, dt * moving.bounceSpeed);
     for (const PairKey& key : broadPhase.awakePairs(bodies)) {
         if (bodies.isAsleep(key.a) && bodies.isAsleep(key.b)) continue;
         if (bodies.waits(key.a, key.b)) continue;
         const Motion &a = moving.motions[key.a], &b = moving.motions[key.b];
+        if (mostWaySquared(a, b, dt) <= little * little) continue;
         const double least = bounces(bodies, key) ? smaller(margin, dt * moving.bounceSpeed) : margin;
         if (wayOf(a, b, dt) <= least || !broadPhase.boundsMeet(key)) continue;
         if (jointed.contains(key, bodies)) continue;
@@ -270,15 +277,13 @@ void findWhoTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, st
     sortUnique(turned);
 }
 
-const MovingPairs::Entry* movingEntry(const MovingPairs& moving, const PairKey& pair) {
-    const auto known =
-        std::ranges::lower_bound(moving.entries, pair, {}, &MovingPairs::Entry::pair);
-    return known != moving.entries.end() && known->pair == pair ? &*known : nullptr;
+const MovingPairs::Entry* MovingEntries::of(const PairKey& pair) {
+    while (!left_.empty() && left_.front().pair < pair) left_ = left_.subspan(1);
+    return !left_.empty() && left_.front().pair == pair ? &left_.front() : nullptr;
 }
 
-std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& key,
+std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& key, const MovingPairs::Entry* known,
                                const MovingPairs& moving, double margin, double near, double dt) {
-    const MovingPairs::Entry* known = movingEntry(moving, key);
     // An impact does not depend on `near`.
     if (known && (known->impact.meets || near <= margin)) return known->impact;
     if (near <= margin) return std::nullopt;

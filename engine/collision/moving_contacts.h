@@ -14,6 +14,7 @@
 ///     which it passes on to the bodies it hits itself. Bodies less than throw_a + throw_b
 ///     apart get a contact, with a C so large that it does not affect free motion.
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <span>
 
@@ -70,14 +71,24 @@ void findWhoTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, st
                      int substep, double h, std::vector<int>& turned);
 
 /// Null if the margin is enough for the pair; `near` (m) above the margin: never, and only that is certain of
-/// pairs that stay farther apart.
-std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& pair,
+/// pairs that stay farther apart. `known`: the pair's entry, if any.
+std::optional<Impact> impactOf(const Bodies& bodies, const PairKey& pair, const MovingPairs::Entry* known,
                                const MovingPairs& moving, double margin, double near, double dt);
 /// The impact of two pieces, if the entry of their bodies has one.
 const Impact* knownImpact(const MovingPairs& moving, const MovingPairs::Entry& entry,
                           const Piece& a, const Piece& b);
-/// Null if the margin is enough for the pair.
-const MovingPairs::Entry* movingEntry(const MovingPairs& moving, const PairKey& pair);
+/// Finds the entries of pairs that are asked for in their order.
+class MovingEntries {
+public:
+    MovingEntries(const MovingPairs& moving, const PairKey& first)
+        : left_(std::ranges::lower_bound(moving.entries, first, {}, &MovingPairs::Entry::pair),
+                moving.entries.end()) {}
+    /// Null if the margin is enough for the pair.
+    const MovingPairs::Entry* of(const PairKey& pair);
+
+private:
+    std::span<const MovingPairs::Entry> left_;
+};
 
 /// Whether a contact of the present poses would act although the bodies may pass each other: they are apart, they
 /// move, and in free motion would cross its plane.

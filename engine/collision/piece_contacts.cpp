@@ -81,10 +81,10 @@ bool keepAll(const std::vector<Contact>& previous, std::size_t old, const PairKe
 }  // namespace
 
 bool addContactsOfPieces(const Bodies& bodies, const PairKey& pair, const BroadPhase& broadPhase,
-                         const MovingPairs& moving, double margin, double near, double dt,
+                         const MovingPairs& moving, const MovingPairs::Entry* known, double margin,
+                         double near, double dt,
                          const std::vector<Contact>& previous, std::size_t old, Looked& looked,
                          std::vector<Contact>& found) {
-    const MovingPairs::Entry* known = movingEntry(moving, pair);
     const bool thrown = near > margin;
     if (!known && !thrown && keepAll(previous, old, pair, bodies, moving, dt, found)) return true;
     const std::size_t first = found.size();

@@ -9,9 +9,10 @@ namespace engine {
 
 /// Appends the pair's contacts to `found`. `previous`: the contacts of the last step; those of this pair
 /// start at `old`. `near` (m): how much closer the hits of this step may bring the two. `looked`: see
-/// forPiecePairs(). Returns true if all were kept, with their impulses.
+/// forPiecePairs(). `known`: the pair's entry of `moving`, if any. Returns true if all were kept, with their impulses.
 bool addContactsOfPieces(const Bodies& bodies, const PairKey& pair, const BroadPhase& broadPhase,
-                         const MovingPairs& moving, double margin, double near, double dt,
+                         const MovingPairs& moving, const MovingPairs::Entry* known, double margin,
+                         double near, double dt,
                          const std::vector<Contact>& previous, std::size_t old, Looked& looked,
                          std::vector<Contact>& found);
 
