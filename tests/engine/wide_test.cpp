@@ -67,13 +67,13 @@ TEST(Schedule, AGroupBeginsItsOwnBatches) {
     EXPECT_EQ(schedule.batches()[1][0], 1);
 }
 
-/// Contacts of body pairs (i, i + 1) at these heights, in the order of a sweep.
-std::vector<int> orderOf(std::vector<Contact>& contacts, const std::vector<double>& heights) {
+/// Contacts of body pairs (i, i + 1) at these heights, in the order of a sweep. `order`: the last one, or empty.
+std::vector<int> orderOf(std::vector<Contact>& contacts, const std::vector<double>& heights,
+                         std::vector<int> order = {}) {
     Bodies bodies;
     for (const double height : heights)
         addBody(bodies, body(Shape::sphere(0.1), {0, height, 0}), bodies.count());
     std::vector<std::uint64_t> keys;
-    std::vector<int> order;
     orderContacts(contacts, bodies, Vec3(0, -9.81, 0), Order::gravity, keys, order);
     return order;
 }
@@ -85,6 +85,16 @@ TEST(Order, IsFromTheTopDownAndDoesNotHeedNoise) {
     EXPECT_EQ(orderOf(contacts, {1.0, 1.01, 5.0}), (std::vector<int>{2, 0, 1}));   // noise
     EXPECT_EQ(orderOf(contacts, {1.0, 1.05, 5.0}), (std::vector<int>{2, 1, 0}));   // it has moved
     EXPECT_EQ(orderOf(contacts, {1.0, 1.04, 0.5}), (std::vector<int>{1, 0, 2}));
+}
+
+TEST(Order, OfTheLastStepIsKeptOnlyIfItStillHolds) {
+    std::vector<Contact> contacts(3);
+    for (int i = 0; i < 3; ++i) contacts[i].a = i, contacts[i].b = (i + 1) % 3, contacts[i].count = 1;
+    const std::vector<int> before = orderOf(contacts, {1.0, 2.0, 3.0});
+    EXPECT_EQ(orderOf(contacts, {1.0, 2.0, 3.0}, before), before);
+    EXPECT_EQ(orderOf(contacts, {4.0, 2.0, 3.0}, before), (std::vector<int>{0, 2, 1}));
+    contacts.pop_back();
+    EXPECT_EQ(orderOf(contacts, {4.0, 5.0, 3.0}, before), (std::vector<int>{1, 0}));
 }
 
 TEST(Lanes, GiveTheSameBitsOnEveryInstructionSet) {
