@@ -147,6 +147,28 @@ TEST(Lanes, ReportTheSameSweepsWithTwoThreads) {
     EXPECT_EQ(one.errors().penetration, two.errors().penetration);
 }
 
+// The worst row is in the half that is swept first: what it lacks counts as much as in one list of rows.
+TEST(Lanes, ReportTheResidualOfBothHalves) {
+    const auto struck = [](bool lanes) {
+        Settings settings = Settings::steady();
+        settings.sweeps = settings.movingSweeps = settings.minSweeps = 6, settings.tolerance = 0.0;
+        settings.lanes = lanes;
+        World world(settings);
+        world.add(support::floorPlane());
+        for (int row = 0; row < 32; ++row)
+            for (int i = row; i < 32; ++i)
+                world.add(body(Shape::box({1, 1, 1}), {1.02 * i - 0.51 * row, 0.5 + row, 0}));
+        world.setVelocity({world.bodyCount() - 1}, {0, -1, 0}, {0, 0, 0});
+        world.step(kStep);
+        return world;
+    };
+    const World wide = struck(true), rows = struck(false);
+    const std::vector<SweepReport>&a = wide.report().sweeps, &b = rows.report().sweeps;
+    ASSERT_EQ(a.size(), b.size());
+    for (int i = 0; i < 6; ++i) EXPECT_NEAR(a[i].residual, b[i].residual, 0.01 * b[i].residual) << i;
+    EXPECT_GT(a[0].residual, 0.3);
+}
+
 TEST(Lanes, AnIslandAtRestPaysNothingForOneThatMoves) {
     const auto topOf = [](bool withMoving) {
         World world;

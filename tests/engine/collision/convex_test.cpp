@@ -99,6 +99,22 @@ TEST_P(ConvexPairs, ClosestPointsAreApartByTheLargestSeparation) {
     EXPECT_GT(apart, 10);
 }
 
+/// A search that ends early has a distance between what was enough and the true one.
+TEST_P(ConvexPairs, ADistanceThatIsEnoughIsNeverTooLarge) {
+    const Shape &shapeA = shapes()[GetParam().a], &shapeB = shapes()[GetParam().b];
+    support::Random random(900 + 10 * GetParam().a + GetParam().b);
+    for (int i = 0; i < 40; ++i) {
+        const Pose poseA{Vec3::Zero(), random.rotation()}, poseB{random.rotation() * Vec3(4, 0, 0), random.rotation()};
+        const Convex a(shapeA, poseA), b(shapeB, poseB);
+        const double exact = closestPoints(a, b, Vec3::Zero()).distance;
+        for (const double enough : {0.1 * exact, 0.7 * exact, 0.97 * exact}) {
+            const double found = closestPoints(a, b, Vec3::Zero(), enough).distance;
+            EXPECT_LE(found, exact + 1e-9) << i << ' ' << enough;
+            EXPECT_GE(found, enough) << i;
+        }
+    }
+}
+
 /// Two shapes moved until they just touch or overlap a little: the manifold agrees.
 TEST_P(ConvexPairs, ManifoldsTellTheDepthOfTouchingPairs) {
     const Shape &shapeA = shapes()[GetParam().a], &shapeB = shapes()[GetParam().b];

@@ -160,5 +160,18 @@ TEST(Direct, IsTheMeasureOfEverySweep) {
     EXPECT_EQ(exact.report().sweeps.at(0).distance, 0.0);
 }
 
+// Balls that land one on the other do not turn: only their linear velocities differ.
+TEST(Direct, MeasuresBodiesThatDoNotTurn) {
+    Settings settings = Settings::seed();
+    settings.compareExact = true;
+    settings.sweeps = settings.minSweeps = 1;
+    World world(settings);
+    world.add(support::floorPlane());
+    for (const double height : {0.5, 1.5})
+        world.add(support::body(Shape::sphere(0.5), {0, height, 0})), world.setVelocity({world.bodyCount() - 1}, {0, -1, 0}, {0, 0, 0});
+    world.step(support::kStep);
+    EXPECT_GT(world.report().sweeps.at(0).distance, 0.01);
+}
+
 }  // namespace
 }  // namespace engine

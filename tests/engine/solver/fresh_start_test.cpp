@@ -115,6 +115,8 @@ TEST_P(FreshStarts, CountRollingResistance) {
         const bool tooMuch = kept > 0.8;
         EXPECT_EQ(lifts.takesBack(GetParam()), tooMuch) << kept;
         EXPECT_NEAR(lifts.ball(0).angular.dot(axis), tooMuch ? 4.0 : 4.0 - 10.0 * kept, 1e-5) << kept;
+        storeImpulses(lifts.solver, lifts.contacts);
+        EXPECT_NEAR(lifts.contacts[0].rollingMoment.norm(), tooMuch ? 0.0 : kept, 1e-6) << kept;
     }
 }
 
