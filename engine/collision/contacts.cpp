@@ -167,6 +167,7 @@ void findContacts(const Bodies& bodies, ContactFinder& finder, double margin, do
                                             ? finder.broadPhase.awakePairs(bodies)
                                             : finder.broadPhase.pairs();
     finder.found.resize(threads);
+    finder.found[0].swap(finder.contacts);  // its memory: a contact takes half a kilobyte
     for (std::vector<Contact>& found : finder.found) found.clear();
     finder.looked.assign(threads, {});
     const auto look = [&](int first, int end, int part) {
