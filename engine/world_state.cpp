@@ -259,7 +259,7 @@ void findContactsNow(WorldState& s) {
     listJointedPairs(s);
     wakeCalled(s);
     findContacts(s, s.lastDt);
-    s.contactsStale = s.report.step > 0;  // the next step must still see the caller's changes
+    s.contactsStale = true;  // the next step looks as far ahead as it is long, and sees the caller's changes
     s.report.energy = energyNow(s);
     s.listed = WorldState::Listed::found;
 }

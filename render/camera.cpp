@@ -22,20 +22,49 @@ Eigen::Matrix4f lookAt(const Vec3& eye, const Vec3& target, const Vec3& up) {
     return m;
 }
 
+namespace {
+
+constexpr float kNearest = 0.02f, kNearestAboveGround = 5e-4f;  // of the distance to what the camera looks at
+
+void setDepths(float nearest, View& v) {
+    v.nearest = nearest;
+    v.projection(2, 2) = (v.farthest + v.nearest) / (v.nearest - v.farthest);
+    v.projection(2, 3) = 2.0f * v.farthest * v.nearest / (v.nearest - v.farthest);
+}
+
+/// Along the view axis, m: where the first ray through a corner of the picture meets the ground.
+float depthOf(const Ground& ground, const View& v) {
+    const float above = ground.normal.dot(v.eye) - ground.offset;
+    const Vec3 axes = (above < 0.0f ? -1.0f : 1.0f) * (v.view.block<3, 3>(0, 0) * ground.normal);  // right, up, back
+    const float closing =
+        axes.z() + std::abs(axes.x()) / v.projection(0, 0) + std::abs(axes.y()) / v.projection(1, 1);
+    return closing > 0.0f ? std::abs(above) / closing : v.farthest;
+}
+
+}  // namespace
+
 View makeView(const Camera& camera, float aspect) {
     View v;
     v.eye = camera.from;
     v.view = lookAt(camera.from, camera.lookAt, camera.up);
     const float distance = (camera.from - camera.lookAt).norm();
-    v.nearest = std::max(0.02f * distance, 0.01f);
     v.farthest = 150.0f * std::max(distance, 4.0f);
     const float f = 1.0f / std::tan(0.5f * camera.fovDegrees * kPi / 180.0f);
     v.projection.setZero();
     v.projection(0, 0) = f / aspect;
     v.projection(1, 1) = f;
-    v.projection(2, 2) = (v.farthest + v.nearest) / (v.nearest - v.farthest);
-    v.projection(2, 3) = 2.0f * v.farthest * v.nearest / (v.nearest - v.farthest);
     v.projection(3, 2) = -1.0f;
+    setDepths(std::max(kNearest * distance, 0.01f), v);
+    return v;
+}
+
+View frameView(const Frame& frame, float aspect) {
+    View v = makeView(frame.camera, aspect);
+    const float least = v.nearest * (kNearestAboveGround / kNearest);
+    for (const Ground& ground : frame.grounds) {
+        const float depth = ground.visible ? 0.9f * depthOf(ground, v) : v.farthest;
+        if (depth < v.nearest) setDepths(std::max(depth, least), v);
+    }
     return v;
 }
 

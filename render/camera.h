@@ -21,6 +21,8 @@ inline float pixelsAMeter(const View& view, int height) {
 
 /// `aspect`: width over height.
 View makeView(const Camera& camera, float aspect);
+/// The same with the near plane in front of the grounds: none is cut by it, however low the camera is.
+View frameView(const Frame& frame, float aspect);
 
 /// Pictures are drawn upside down, so that the first row read back is the top one.
 inline View upsideDown(View view) {

@@ -31,11 +31,14 @@ Quad grown(const Quad& inner, const Vec3& eye, float distance) {
     return outer;
 }
 
-/// Whether a ray from the eye hits the ground well in front of the far clip plane.
+/// Whether a ray from the eye hits the ground between the clip planes, well in front of the far one. It advances by
+/// 1 m along the view axis.
 bool meets(const Ground& ground, const Vec3& ray, const View& view) {
     const Vec3 n = ground.normal.normalized();
     const float above = n.dot(view.eye) - ground.offset, down = -n.dot(ray);
-    return above * down > 0.0f && above / down * ray.norm() < 0.95f * view.farthest;
+    if (above * down <= 0.0f) return false;
+    const float depth = above / down;
+    return depth > view.nearest && depth * ray.norm() < 0.95f * view.farthest;
 }
 
 }  // namespace

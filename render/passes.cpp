@@ -129,8 +129,7 @@ Passes::Passes(const RendererSettings& settings)
 }
 
 View Passes::viewOf(const Frame& frame) const {
-    return makeView(frame.camera,
-                    static_cast<float>(settings_.width) / static_cast<float>(settings_.height));
+    return frameView(frame, static_cast<float>(settings_.width) / static_cast<float>(settings_.height));
 }
 
 void Passes::enter(Stage stage) const {

@@ -70,7 +70,7 @@ std::string targetOf(const FilmPlan& plan, const StillOptions& options, const Mo
 int goOn(const FilmPlan& plan, const StillOptions& options, const Moment& moment, Player& player) {
     const long long step = goOnFrom(options.from, stateKindOf(plan.scene(), options),
                                     plan.panels.front().overlays, player);
-    const int most = moment.steps - (plan.shutter.moments > 1 ? plan.stepsPerFrame : 0);
+    const int most = moment.steps - (plan.shutter.moments > 1 ? plan.stepsTo(moment.time) : 0);
     if (step > most)
         throw Stop(Exit::usage,
                    fmt::format("--from {}: is a state after step {}, and this picture is of step "
@@ -97,7 +97,7 @@ Exit still(StillOptions options) {
     const std::vector<render::Frame> seen =
         playTo(moment.time, moment.steps - from, plan, player);
     render::Renderer renderer(plan.picture);
-    render::Image picture = exposed(seen, plan, renderer);
+    render::Image picture = exposed(seen, moment.time, plan, renderer);
     picture = withStrip(std::move(picture), plan, moment.time);
     const Talk talk(options, target == "-");
     const MomentsFigure figure{target, paper, plan, {factsOf(player, plan, seen.back(), paper)}};

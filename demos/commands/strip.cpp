@@ -86,7 +86,7 @@ Strip drawStrip(const FilmPlan& plan, const StripLayout& layout, const std::vect
         const auto seen = playTo(time, steps[i] - played, plan, player);
         played = steps[i];
         const int moment = static_cast<int>(i);
-        const render::Image picture = exposed(seen, plan, renderer);
+        const render::Image picture = exposed(seen, time, plan, renderer);
         strip.facts.push_back(factsOf(player, plan, seen.back(), paper));
         if (paper.given()) {
             placePicture(layout, moment, picture, strip.image);

@@ -97,7 +97,7 @@ void drawPanel(const PanelFigure& figure, std::size_t i, render::Renderer& rende
     drawn.diverged.push_back(failed.empty() ? player.incident() : failed);
     drawn.facts.push_back(factsOf(player, plan, seen.back(), figure.paper));
     placePicture(figure.layout, static_cast<int>(i),
-                 failed.empty() ? exposed(seen, plan, renderer) : renderer.draw(seen.back()),
+                 failed.empty() ? exposed(seen, figure.time, plan, renderer) : renderer.draw(seen.back()),
                  drawn.image);
     placeLines(figure.layout, static_cast<int>(i), figure.labels[i], render::Anchor::middle,
                inksOf(overlays.theme).ink, drawn.image);

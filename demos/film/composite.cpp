@@ -34,8 +34,8 @@ void drawBorder(const Area& at, render::Image& whole) {
 /// Half transparent, so that what is below stays visible.
 void drawCursor(int x, int top, int bottom, render::Image& whole) {
     const int width = std::max(whole.height / 360, 1);
-    for (int column = x; column < std::min(x + width, whole.width); ++column)
-        for (int y = top; y < bottom; ++y) {
+    for (int column = std::max(x, 0); column < std::min(x + width, whole.width); ++column)
+        for (int y = std::max(top, 0); y < std::min(bottom, whole.height); ++y) {
             std::uint8_t* pixel = whole.at(column, y);
             for (int c = 0; c < 3; ++c) pixel[c] = static_cast<std::uint8_t>((pixel[c] + 128) / 2);
             pixel[3] = std::max(pixel[3], kHalf);  // on a strip without a background

@@ -48,7 +48,7 @@ void chooseTexts(const FilmPlan& plan, render::Frame& frame) {
 }  // namespace
 
 std::vector<render::Frame> playTo(double time, int steps, const FilmPlan& plan, Player& player) {
-    const Shutter shutter(plan.shutter, plan.stepsPerFrame);
+    const Shutter shutter(plan.shutter, plan.stepsTo(time));
     std::vector<render::Frame> seen;
     for (int left = steps; left >= 0; --left) {
         if (shutter.sees(left)) {
@@ -61,10 +61,10 @@ std::vector<render::Frame> playTo(double time, int steps, const FilmPlan& plan, 
     return seen;
 }
 
-render::Image exposed(const std::vector<render::Frame>& seen, const FilmPlan& plan,
+render::Image exposed(const std::vector<render::Frame>& seen, double time, const FilmPlan& plan,
                       render::Renderer& renderer) {
     if (plan.shutter.moments <= 1) return renderer.draw(seen.back());
-    return renderer.draw(Shutter(plan.shutter, plan.stepsPerFrame).moments(seen));
+    return renderer.draw(Shutter(plan.shutter, plan.stepsTo(time)).moments(seen));
 }
 
 }  // namespace demos

@@ -10,8 +10,8 @@ namespace demos {
 /// Advances by `steps`, to `time` (s). Returns what the open shutter saw, one frame per step.
 std::vector<render::Frame> playTo(double time, int steps, const FilmPlan& plan, Player& player);
 
-/// The picture of these frames.
-render::Image exposed(const std::vector<render::Frame>& seen, const FilmPlan& plan,
+/// The picture of these frames, the last of which is at `time` (s): that of the film's frame.
+render::Image exposed(const std::vector<render::Frame>& seen, double time, const FilmPlan& plan,
                       render::Renderer& renderer);
 
 }  // namespace demos

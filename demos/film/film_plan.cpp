@@ -160,6 +160,11 @@ int FilmPlan::frameAt(double time) const {
     return time - timeOf(before) < timeOf(after) - time ? before : after;
 }
 
+int FilmPlan::stepsTo(double time) const {
+    const int frame = std::max(frameAt(time), 1);
+    return stepOf(frame) - stepOf(frame - 1);
+}
+
 bool FilmPlan::alpha() const {
     return std::any_of(panels.begin(), panels.end(),
                        [](const Panel& panel) { return panel.overlays.theme == "transparent"; });

@@ -60,6 +60,8 @@ struct FilmPlan {
     int firstFrameAt(double time) const;
     /// The frame that is nearest to `time` (s) of the run.
     int frameAt(double time) const;
+    /// The steps between that frame and the one before it.
+    int stepsTo(double time) const;
 };
 
 /// The frame rates that divide a scene's steps a second, the six nearest to `wanted`: "20 30 60".

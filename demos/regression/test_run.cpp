@@ -20,7 +20,7 @@ public:
         played.renderer = renderer_->describe();
         const std::uint64_t state = player.stage().world.hash();
         played.pictures.push_back(
-            {time, state, exposed(playTo(time, 0, plan_, player), plan_, *renderer_)});
+            {time, state, exposed(playTo(time, 0, plan_, player), time, plan_, *renderer_)});
     }
 
 private:

@@ -81,7 +81,7 @@ double Columns::substepsOf(const Island& island) {
     const double levels = island.levels;
     const double side = island.reach / (kReachOfACube * island.bodies);
     const double sway = larger(1.0, std::sqrt(kSlow / side));
-    if (levelsOf(island) > 0) return sway * (0.4 * levels - 2.0);
+    if (levelsOf(island) > 0) return sway * (0.4 * levels - 1.3) - 0.7;
     const double carried = smaller(1.0 * island.bodies / island.onTheFloor, levels);
     return sway * 0.2 * carried * carried / levels;
 }

@@ -30,11 +30,11 @@ void PressedBodies::load(std::span<const Contact> contacts, std::span<const Join
         slot_.resize(larger(slot_.size(), bodies.masses.size()), -1);
         if (slot_[light] < 0) {
             slot_[light] = static_cast<int>(presses_.size());
-            presses_.push_back({light, 0.0, Vec3::Zero()});
+            presses_.push_back({light, -1, 0.0, Vec3::Zero()});
         }
         Press& press = presses_[slot_[light]];
         if (larger(a, b) > press.mass)
-            press.mass = larger(a, b), press.normal = lightA ? Vec3(-c.normal) : c.normal;
+            press = {light, lightA ? c.b : c.a, larger(a, b), lightA ? Vec3(-c.normal) : c.normal};
     }
     if (presses_.empty()) return;
     for (const Joint& joint : joints)
@@ -44,6 +44,7 @@ void PressedBodies::load(std::span<const Contact> contacts, std::span<const Join
             if (i >= static_cast<int>(slot_.size()) || slot_[i] < 0 || bodies.massFactors[i] > 1.0) continue;
             const Press& press = presses_[slot_[i]];
             const Vec3 towards = i == c.a ? Vec3(-c.normal) : c.normal;
+            if (press.by == c.a || press.by == c.b) continue;  // one body alone does not press
             if (press.normal.dot(towards) > kAgainst || !touches(c, bodies)) continue;
             bodies.massFactors[i] = press.mass / kMostRatio / bodies.masses[i].mass;
             updateInverseInertia(bodies, i);

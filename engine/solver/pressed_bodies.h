@@ -3,8 +3,8 @@
 /// where M is the heaviest that presses it. In a sweep, a light body passes on only a small part of an
 /// impulse: a gram between two tonnes would need a million sweeps; with fewer it is squeezed through the
 /// floor, or the load is thrown back. The error in its own momentum does not matter, because its neighbours
-/// have a hundred times as much. Free bodies, those that are touched from one side only, and those with a
-/// joint keep their mass.
+/// have a hundred times as much. Free bodies, those that are touched from one side or by one body only, and those
+/// with a joint keep their mass.
 #pragma once
 #include <span>
 #include <vector>
@@ -26,7 +26,7 @@ private:
     void forget(int body);
 
     struct Press {
-        int body = -1;
+        int body = -1, by = -1;
         double mass = 0.0;            // kg, of the heaviest neighbour
         Vec3 normal = Vec3::Zero();   // towards the body
     };

@@ -105,5 +105,32 @@ TEST(Weld, HoldsACantileverOfFiveBlocks) {
     EXPECT_NEAR(root.torque.z(), 10 * kGravity * (0.5 + 1.5 + 2.5 + 3.5 + 4.5), 2.0);
 }
 
+// The stretched springs swing the light body many times a step; its spin grew without end with the usual sub-steps.
+TEST(SoftChain, OfALightBodyBetweenHeavyOnesGainsNoEnergy) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const double light : {0.01, 0.1}) {
+            World world(settings);
+            BodyId last = world.add(support::hook({0, 5, 0}));
+            for (const double mass : {light, 10.0}) {
+                const double x = mass == light ? 0.3 : 0.6;
+                BodyDef box = support::body(Shape::box({0.2, 0.1, 0.1}), {x, 5, 0}, mass);
+                box.collide = false;
+                const BodyId next = world.add(box);
+                JointDef joint;
+                joint.a = last, joint.b = next;
+                joint.anchorA = Vec3(x - 0.15, 5, 0) - world.pose(last).position;
+                joint.anchorB = {-0.15, 0, 0};
+                joint.spring.hz = 20.0, joint.spring.damping = 0.0;
+                world.add(joint);
+                last = next;
+            }
+            const double start = world.energy().total();
+            for (int i = 0; i < 900; ++i) {
+                ASSERT_TRUE(world.step(support::kStep));
+                ASSERT_LT(world.energy().total(), start + 5.0) << light << ", step " << i;  // of 490 J
+            }
+        }
+}
+
 }  // namespace
 }  // namespace engine

@@ -149,6 +149,19 @@ TEST(Columns, OfSmallDiceStand) {
         }
 }
 
+// With four sub-steps, columns of five to seven fall within a minute; offsets as of a careful hand.
+TEST(Columns, OfAFewSmallDiceStand) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const auto& [count, side] : {std::pair(5, 0.005), std::pair(6, 0.01), std::pair(7, 0.02)}) {
+            World world(settings);
+            world.add(support::floorPlane());
+            for (int i = 0; i < count; ++i)
+                world.add(body(Shape::box({side, side, side}), {0.02 * side * (i % 2), side * (i + 0.5), 0}, 1.0));
+            run(world, 3000);
+            EXPECT_LT(drift(world), 0.02 * side) << count << " of " << side;
+        }
+}
+
 // A wall of fifteen rows falls within half a minute with two sub-steps.
 TEST(Columns, AWallStandsForAMinuteInPresetFast) {
     World world(Settings::fast());

@@ -185,6 +185,21 @@ TEST(Renderer, DrawsTheSameFrameTwiceToTheByte) {
 }
 
 // A second renderer in its own process with another number of threads draws the same pixels.
+// The near plane would cut the ground below the picture's middle; nothing was drawn there, not even a background.
+TEST(Renderer, ACameraCloseAboveTheGroundSeesItToTheLastRow) {
+    for (const float height : {0.12f, 0.02f}) {
+        Frame frame = still();
+        frame.camera = {{0, height, 12}, {0, 0.6f, 0}, {0, 1, 0}, 60};
+        const Image low = renderer().draw(frame);
+        const std::uint8_t* const ground = low.at(0, kGoldenHeight * 2 / 3);
+        for (int y = kGoldenHeight * 2 / 3; y < kGoldenHeight; ++y)
+            for (const int x : {0, kGoldenWidth / 2, kGoldenWidth - 1}) {
+                EXPECT_EQ(low.at(x, y)[3], 255) << x << ' ' << y;
+                for (int c = 0; c < 3; ++c) EXPECT_NEAR(low.at(x, y)[c], ground[c], 40) << x << ' ' << y;
+            }
+    }
+}
+
 TEST(Renderer, RefusesSizesItCannotDraw) {
     for (const auto& [w, h] : {std::pair{0, 10}, {10, 16385}, {-1, 10}}) {
         try {

@@ -64,6 +64,15 @@ TEST_F(Compare, PrintsATableAndDrawsPanelsSideBySide) {
     EXPECT_GT(different, 50);
 }
 
+// The chart's axis lies below the last row of so low a strip; its cursor was drawn there all the same.
+TEST_F(Compare, TheCursorStaysWithinALowStrip) {
+    for (const char* size : {"100x56", "128x72"}) {
+        const Ended ended = compare({"ball.toml", "--vary", "solver.nudges=0,4", "--size", size, "--samples", "1",
+                                     "-o", std::string("film") + size});
+        EXPECT_EQ(ended.code, 0) << size << ended.err;
+    }
+}
+
 TEST_F(Compare, WhatCannotBeWrittenIsRefusedBeforeAnythingIsPlayed) {
     write(folder / "there.mp4", "a film");
     for (const std::string command : {"compare", "sweep"}) {

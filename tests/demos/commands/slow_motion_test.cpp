@@ -51,6 +51,18 @@ TEST_F(SlowMotion, IsTheSameInParts) {
     EXPECT_TRUE(framesIn(folder / "parts") == whole);
 }
 
+TEST_F(SlowMotion, OpensTheShutterOfAStillAsLongAsThatOfTheFilm) {
+    write(folder / "ball.toml", contentOf(folder / "ball.toml") + "[camera]\norbit_deg_per_s = 90\n");
+    const Files slow = drawn("slow", {"--blur", "3"});
+    for (const int frame : {0, 2, 10}) {
+        const std::string png = "still" + std::to_string(frame) + ".png";
+        const Ended still = run(folder.path(), {"still", "ball.toml", "--frame", std::to_string(frame), "--size",
+                                                "96x54", "--fps", "10", "--samples", "1", "--blur", "3", "-o", png});
+        ASSERT_EQ(still.code, 0) << still.err;
+        EXPECT_TRUE(contentOf(folder / png) == slow.at(pngOf(frame))) << frame;
+    }
+}
+
 TEST_F(SlowMotion, CountsInStillsPostersAndPasses) {
     const Files slow = drawn("slow", {"--poster", "poster.png", "--poster-time", "0.7", "--pass", "contacts"});
     EXPECT_TRUE(contentOf(folder / "poster.png") == slow.at(pngOf(10)));  // 0.4 s + 6 frames of 0.05 s

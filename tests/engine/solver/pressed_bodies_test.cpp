@@ -54,6 +54,19 @@ TEST(PressedBodies, WithAJointKeepTheirMass) {
     EXPECT_EQ(pile.bodies.massFactors[1], 1.0);
 }
 
+// A light body that flies around the edge of a heavy one has contacts with both of its sides.
+TEST(PressedBodies, AreNotThoseThatOneBodyTouchesFromTwoSides) {
+    Pressing pile;
+    pile.bodies.poses[2].position.y() = 1.0;
+    pile.contacts = {touching(1, 2, pile.bodies), touching(1, 2, pile.bodies)};
+    pile.contacts[1].normal = -Vec3::UnitY();
+    pile.pressed.load(pile.contacts, {}, pile.bodies);
+    EXPECT_EQ(pile.bodies.massFactors[1], 1.0);
+    pile.contacts.push_back(touching(0, 1, pile.bodies));
+    pile.pressed.load(pile.contacts, {}, pile.bodies);
+    EXPECT_GT(pile.bodies.massFactors[1], 1.0);
+}
+
 // The heavy body must touch: a contact ahead of touching does not press.
 TEST(PressedBodies, AreNotThoseThatAHeavyOneComesNear) {
     Pressing pile;
