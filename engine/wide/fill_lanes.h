@@ -88,7 +88,7 @@ ENGINE_INLINE void fillPoint(const ContactInputs& from, const FrameLanes& frame,
     Doubles::load(from.impulse[i] + first).store(point.lambda + first);
     dot(friction, frame.t1).store(point.friction[0] + first);
     dot(friction, frame.t2).store(point.friction[1] + first);
-    const Doubles gap = select(frame.exists[i], frame.gap[i], Doubles(kNoPoint));
+    const Doubles gap = select(frame.exists[i], frame.gap[i], Doubles(static_cast<double>(kNoPoint)));
     gap.store(record.gapAtStart[i] + first), gap.store(record.separation[i] + first);
 }
 
