@@ -87,6 +87,28 @@ TEST(RayCast, WaysAlongAxesAndThroughEndsAreNoSpecialCase) {
     EXPECT_FALSE(enterShape(Shape::plane({0, 1, 0}), pose, {0, 1, 0}, {5, 1, 0}));
 }
 
+TEST(RayCast, ABoxAndTheHullOfItsCornersAgreeOnWaysOfAnyLength) {
+    const Vec3 half{0.5, 0.3, 0.9};
+    std::vector<Vec3> corners;
+    for (int i = 0; i < 8; ++i)
+        corners.push_back(half.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
+    const Shape box = Shape::box(2.0 * half), hull = *Shape::hullOf(corners);
+    support::Random random(4);
+    int hits = 0, misses = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 through = random.vector(1.0), way = (i % 2 ? 0.3 : 30.0) * random.vector(1.0);
+        const Vec3 from = through - random.number(0.0, 1.0) * way;
+        if (isInside(box, from)) continue;
+        const auto a = enterShape(box, {}, from, from + way), b = enterShape(hull, {}, from, from + way);
+        ASSERT_EQ(a.has_value(), b.has_value()) << i;
+        ++(a ? hits : misses);
+        if (!a) continue;
+        EXPECT_NEAR(a->fraction, b->fraction, 1e-9) << i;
+    }
+    EXPECT_GT(hits, 100);
+    EXPECT_GT(misses, 100);
+}
+
 TEST(RayCast, IsAsGoodFarAway) {
     const Pose pose;
     const auto hit = enterShape(Shape::sphere(0.5), pose, {1e7, 0.3, 0}, {-1e7, 0.3, 0});
