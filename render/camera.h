@@ -21,7 +21,7 @@ inline float pixelsAMeter(const View& view, int height) {
 
 /// `aspect`: width over height.
 View makeView(const Camera& camera, float aspect);
-/// The same with the near plane in front of the grounds: none is cut by it, however low the camera is.
+/// The same with the near plane in front of the visible grounds, up to 40 times nearer: a low camera's would cut them.
 View frameView(const Frame& frame, float aspect);
 
 /// Pictures are drawn upside down, so that the first row read back is the top one.

@@ -128,24 +128,15 @@ void timeStages(const FilmPlan& plan, const TemporaryFolder& folder, double most
     timing.incident = composite.incidentAtEnd();
 }
 
-/// What timeStages() finds, but for the incident.
-struct StageTimes {
-    std::array<double, kFilmStages.size()> ms{};
-    double start = 0.0, pngBytes = 0.0, drawn = 0.0;
-    int frames = 0;
-};
-
 /// timeStages() in a process of its own, because the next scene's workers will be forked from this one.
 void timeStagesApart(const FilmPlan& plan, const TemporaryFolder& folder, double most, FilmTiming& timing) {
     const std::string found = inOwnProcess("the process that measures", [&] {
         timeStages(plan, folder, most, timing);
-        const StageTimes times{timing.ms, timing.start, timing.pngBytes, timing.drawn, timing.frames};
+        const StageTimes& times = timing;
         return std::string(reinterpret_cast<const char*>(&times), sizeof times) + timing.incident;
     });
-    StageTimes times;
+    StageTimes& times = timing;
     std::memcpy(&times, found.data(), sizeof times);
-    timing.ms = times.ms, timing.start = times.start, timing.frames = times.frames;
-    timing.pngBytes = times.pngBytes, timing.drawn = times.drawn;
     timing.incident = found.substr(sizeof times);
 }
 

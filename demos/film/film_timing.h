@@ -13,12 +13,16 @@ constexpr std::array<const char*, 10> kFilmStages = {
     "simulate", "depth", "occlusion", "shadow", "scene",
     "read",     "resolve",  "overlay",   "encode", "write"};
 
-struct FilmTiming {
+/// Measured in a process of its own, which sends the bytes.
+struct StageTimes {
     std::array<double, kFilmStages.size()> ms{};  // processor time per frame, median; for PNG files
     double start = 0.0;     // s, processor time of a drawing process before its first frame
     double pngBytes = 0.0;                        // per frame, median
     double drawn = 0.0;     // 0..1 of a picture, not kept from the last; mean without the first
     int frames = 0;
+};
+
+struct FilmTiming : StageTimes {
     int workers = 0;
     double framesASecond = 0.0;  // of the whole film as PNG files, wall-clock time
     std::optional<Mp4Timing> mp4;  // none: canBeMp4

@@ -135,8 +135,8 @@ void Substeps::addJoints(DisjointSets& islands, std::span<const Joint> joints, c
         island.needed = larger(island.needed, dt * swingOf(c, joint, bodies) / kSwingPerSubstep);
         island.needed = larger(island.needed, dt * turnOf(c, joint, bodies) / kTurnInNet);
     }
-    for (const JointConstraint& c : solver.constraints.joints) {  // soft ones: a light body between heavy ones swings
-        if (c.inTree) continue;
+    for (const JointConstraint& c : solver.constraints.joints) {
+        if (c.inTree || !c.spring.isSoft()) continue;
         Island& island = islands_[islands.leaderOf(bodies.movable(c.a, c.b))];
         const double swing = dt * swingOf(c, joints[c.joint], bodies) / kSwingPerSubstep;
         island.needed = larger(island.needed, smaller(double{kMostUsual}, swing));

@@ -123,16 +123,21 @@ TEST(Lanes, AgreeWithRowsInDoublePrecision) {
     }
 }
 
+/// 528 boxes with gaps between them, one group with more than 1024 contacts.
+void addPyramid(World& world) {
+    world.add(support::floorPlane());
+    for (int row = 0; row < 32; ++row)
+        for (int i = row; i < 32; ++i)
+            world.add(body(Shape::box({1, 1, 1}), {1.02 * i - 0.51 * row, 0.5 + row, 0}));
+}
+
 // A large group is swept in halves: a step's report does not depend on the number of threads.
 TEST(Lanes, ReportTheSameSweepsWithTwoThreads) {
     const auto pyramid = [](int threads) {
         Settings settings = Settings::steady();
         settings.threads = threads;
         World world(settings);
-        world.add(support::floorPlane());
-        for (int row = 0; row < 32; ++row)
-            for (int i = row; i < 32; ++i)
-                world.add(body(Shape::box({1, 1, 1}), {1.02 * i - 0.51 * row, 0.5 + row, 0}));
+        addPyramid(world);
         for (int i = 0; i < 5; ++i) world.step(kStep);
         return world;
     };
@@ -154,10 +159,7 @@ TEST(Lanes, ReportTheResidualOfBothHalves) {
         settings.sweeps = settings.movingSweeps = settings.minSweeps = 6, settings.tolerance = 0.0;
         settings.lanes = lanes;
         World world(settings);
-        world.add(support::floorPlane());
-        for (int row = 0; row < 32; ++row)
-            for (int i = row; i < 32; ++i)
-                world.add(body(Shape::box({1, 1, 1}), {1.02 * i - 0.51 * row, 0.5 + row, 0}));
+        addPyramid(world);
         world.setVelocity({world.bodyCount() - 1}, {0, -1, 0}, {0, 0, 0});
         world.step(kStep);
         return world;
