@@ -11,7 +11,7 @@ namespace engine {
 namespace {
 
 constexpr int kMostLooks = 16;
-constexpr double kFarToTurn = 0.4;  // rad
+constexpr double kFarToTurn = 0.4, kLittleToTurn = 1e-3;  // rad
 constexpr int kMovingPairsAThread = 64;   // at least
 constexpr double kSameDirection = 0.999;  // within 2.6 degrees
 constexpr double kPasses = 1e-3;          // m in a step, by velocity alone: what rests has less
@@ -193,6 +193,18 @@ Impact firstImpact(const Bodies& bodies, const BroadPhase& broadPhase, const Pai
     return first;
 }
 
+/// How far a body has turned since its contacts were found, rad; 0 if that brings no other corner down.
+double turnSince(const Bodies& bodies, int i, double time) {
+    const Vec3& spin = bodies.velocities[i].angular;
+    const ShapeType type = bodies.defs[i].shape.type;
+    if (!bodies.isGoing(i) || !bodies.isDynamic(i) || type == ShapeType::sphere) return 0.0;
+    if (spin.squaredNorm() * time * time < kLittleToTurn * kLittleToTurn) return 0.0;
+    if (type != ShapeType::cylinder && type != ShapeType::capsule && type != ShapeType::cone)
+        return spin.norm() * time;
+    const Vec3 axis = bodies.poses[i].rotation * Vec3::UnitY();  // rotation about it changes nothing
+    return axis.cross(spin).norm() * time;
+}
+
 }  // namespace
 
 bool findImpacts(const Bodies& bodies, BroadPhase& broadPhase,
@@ -258,22 +270,23 @@ int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt, std:
 
 void findWhoTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, std::span<const int> lookedAt,
                      int substep, double h, std::vector<int>& turned) {
-    const auto turnsFar = [&](int i) {
-        if (!bodies.isGoing(i)) return false;
-        const Vec3& spin = bodies.velocities[i].angular;
-        const double time = (substep + bodies.strides[i] - lookedAt[i]) * h;
-        if (!(spin.squaredNorm() * time * time > kFarToTurn * kFarToTurn)) return false;
-        const ShapeType type = bodies.defs[i].shape.type;
-        if (!bodies.isDynamic(i) || type == ShapeType::sphere) return false;
-        if (type != ShapeType::cylinder && type != ShapeType::capsule && type != ShapeType::cone)
-            return true;
-        const Vec3 axis = bodies.poses[i].rotation * Vec3::UnitY();  // rotation about it changes nothing
-        return axis.cross(spin).norm() * time > kFarToTurn;
-    };
-    if (std::ranges::none_of(bodies.active, turnsFar)) return;  // fewer than contacts
-    for (const Contact& c : contacts)
-        for (const int i : {c.a, c.b})
-            if (turnsFar(i)) turned.push_back(i);
+    const auto turnOf = [&](int i) { return turnSince(bodies, i, (substep + bodies.strides[i] - lookedAt[i]) * h); };
+    const auto wayOf = [&](int i, double turn) { return turn > 0.0 ? turn * reachOf(bodies.defs[i].shape) : 0.0; };
+    double most = 0.0, farthest = 0.0, thinnest = kFar;  // rad, m, m
+    for (const int i : bodies.active) {
+        if (!bodies.isDynamic(i)) continue;
+        const double turn = turnOf(i);
+        most = larger(most, turn), farthest = larger(farthest, wayOf(i, turn));
+        thinnest = smaller(thinnest, bodies.thicknesses[i]);
+    }
+    if (most <= kFarToTurn && farthest <= thinnest) return;  // fewer bodies than contacts
+    for (const Contact& c : contacts) {
+        const double thickness = bodies.thinner(c.a, c.b);
+        for (const int i : {c.a, c.b}) {
+            const double turn = turnOf(i);
+            if (turn > kFarToTurn || wayOf(i, turn) > thickness) turned.push_back(i);
+        }
+    }
     sortUnique(turned);
 }
 

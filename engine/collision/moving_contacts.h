@@ -65,8 +65,8 @@ struct MovingPairs {
 int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt, std::vector<int>& fast);
 
 /// Adds the bodies of contacts that do not wait and will have turned so far by their next sub-step that other
-/// corners of them may come down. `lookedAt`: by body, the world's sub-step, of length h (s), in which its
-/// contacts were found.
+/// corners of them may come down: by 0.4 rad, or by a way longer than the thinner of the two is thick. `lookedAt`:
+/// by body, the world's sub-step, of length h (s), in which its contacts were found.
 void findWhoTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, std::span<const int> lookedAt,
                      int substep, double h, std::vector<int>& turned);
 

@@ -72,6 +72,11 @@ struct Bodies {
     /// or one of two does. Between steps none waits.
     bool waits(int i) const { return !acts[i] && mayWait(i); }
     bool waits(int a, int b) const { return waits(a) || waits(b); }
+    /// m: that of the thinner dynamic one of two bodies, one of which is dynamic.
+    double thinner(int a, int b) const {
+        const double ofA = thicknesses[a], ofB = thicknesses[b];
+        return !isDynamic(a) ? ofB : isDynamic(b) && ofB < ofA ? ofB : ofA;
+    }
     /// Of two bodies that touch or are joined, one that impulses can move, if any.
     int movable(int a, int b) const { return isDynamic(a) ? a : b; }
     /// Whether what two bodies share acts in this sub-step.

@@ -7,6 +7,7 @@
 namespace engine {
 namespace {
 
+constexpr double kSinks = 0.1;            // of the bodies' thickness, in a step
 constexpr double kMuchLeft = 0.5;         // m/s, of a residual: see fresh_start.h
 constexpr double kMuchLeftOfJoined = 0.25;  // m/s or rad/s: joined_start.h
 /// Of a net, in a step and in a sub-step: what these leave, five times as many hardly reduce.
@@ -61,13 +62,15 @@ int mostOfNet(const Solver& s, int group, const Settings& settings, double step)
 }
 
 SweepLimits limitsOf(const Solver& s, int group, const Settings& settings, double step) {
-    SweepLimits limits{settings.minSweeps, settings.minSweeps, settings.sweeps, settings.tolerance};
+    SweepLimits limits{settings.minSweeps, settings.minSweeps, settings.sweeps, settings.sweeps,
+                       settings.tolerance};
     if (solvedAtOnce(s, group)) {
         limits.most = smaller(settings.sweeps, 1);
     } else if (isConjugate(s, group)) {
         limits.most = limits.fewest + mostOfNet(s, group, settings, step);
     } else if (s.groups.moving(group)) {
-        limits.most = smaller(settings.movingSweeps, settings.sweeps);
+        limits.usual = smaller(settings.movingSweeps, settings.sweeps);
+        limits.bearable = kSinks * s.groups.thickness(group) / step;
     } else if (s.groups.atRest(group)) {
         limits.least = leastAtRest(s, group, settings, step);
         limits.most *= settings.restFactor;
@@ -76,7 +79,7 @@ SweepLimits limitsOf(const Solver& s, int group, const Settings& settings, doubl
     return limits;
 }
 
-/// Sweeps a group until it is satisfied. Returns the last residual, or 0 if that is small enough.
+/// Sweeps a group until it is satisfied. Returns the last residual.
 double sweepGroup(Solver& s, int group, std::span<Velocity> v, const Settings& settings,
                   const SweepLimits& limits, std::size_t& next, std::vector<SweepReport>& report) {
     const bool joints = s.groups.hasJoints(group), atOnce = solvedAtOnce(s, group);
@@ -88,9 +91,8 @@ double sweepGroup(Solver& s, int group, std::span<Velocity> v, const Settings& s
         return limits.areEnough(static_cast<int>(next - first), residual);
     };
     if (s.lanes && s.wide.isLarge(group)) {
-        bool enough = false;
-        for (const SweepReport& swept : s.wide.solveLarge(group, limits)) enough = satisfied(swept);
-        return enough ? 0.0 : residual;
+        for (const SweepReport& swept : s.wide.solveLarge(group, limits)) satisfied(swept);
+        return residual;
     }
     const bool conjugate = isConjugate(s, group);  // after the fewest sweeps, which may be enough
     for (int i = 0; i < limits.most; ++i) {
@@ -99,7 +101,7 @@ double sweepGroup(Solver& s, int group, std::span<Velocity> v, const Settings& s
         swept = together(swept, sweepContacts(s, group, v, settings));
         if (conjugate && i >= limits.fewest) s.conjugate.goOn(s.constraints, s.trees, group, v);
         if (atOnce) swept.residual = 0.0;
-        if (satisfied(swept)) return 0.0;
+        if (satisfied(swept)) break;
     }
     return residual;
 }

@@ -10,6 +10,8 @@ constexpr double kTurnInNet = 0.5;        // rad
 constexpr double kChangesAhead = 2.0;     // steps
 constexpr int kMostUsual = 32;            // sub-steps
 constexpr int kMostJoints = 2048;         // sub-steps times joints
+constexpr double kWayPerSubstep = 0.5;    // times the thinner body's thickness, in a sub-step
+constexpr int kMany = 50;                 // fewer contacts than one in so many do not count
 constexpr double kHeavy = 10.0;           // ratio of masses
 constexpr double kSubstepsARatio = 8.0 / 50.0, kLeastHeavy = 4.0, kMostHeavy = 8.0;
 constexpr double kVeryHeavy = 100.0, kSubstepsALevel = 3.2;
@@ -79,6 +81,17 @@ double loadRatio(const Contact& c, const Bodies& bodies, const Vec3& gravity) {
     return larger(below >= 0.0 ? a / b : 0.0, below <= 0.0 ? b / a : 0.0);
 }
 
+/// How many times the thinner one's thickness they approach in a step of dt (s); 0 if they do not meet.
+double ways(const Contact& c, const Bodies& bodies, double dt) {
+    const Vec3 apart = bodies.velocities[c.b].linear - bodies.velocities[c.a].linear;
+    const double way = -dt * c.normal.dot(apart), thickness = bodies.thinner(c.a, c.b);
+    if (way < thickness) return 0.0;
+    const Pose &a = bodies.poses[c.a], &b = bodies.poses[c.b];
+    for (const ContactPoint& p : std::span(c.points).first(c.count))
+        if (c.normal.dot(b.toWorld(p.anchorB) - a.toWorld(p.anchorA)) < way) return way / thickness;
+    return 0.0;
+}
+
 /// 4, 8, 12, 16, 24, 32 ...: a power of two times the least, or 1.5 times that; all are multiples of the least.
 int nextNumber(int number, int least) {
     int power = least;
@@ -146,20 +159,25 @@ void Substeps::addJoints(DisjointSets& islands, std::span<const Joint> joints, c
 void Substeps::addTurns(const Bodies& bodies, double dt) {
     for (const int i : bodies.active) {
         Island& island = islands_[i];
+        if (kMany * island.thin > island.contacts)
+            island.needed = larger(island.needed, island.thinSum / island.thin);
         island.needed = larger(island.needed, island.touching ? dt * island.turn / kTurnInTouch
                                                               : dt * island.turnToCome / kTurnPerSubstep);
     }
 }
 
 void Substeps::addContacts(DisjointSets& islands, std::span<const Contact> contacts,
-                           const Bodies& bodies, const Vec3& gravity, const Solver& solver) {
+                           const Bodies& bodies, const Solver& solver, const SubstepChoice& step) {
     columns_.measure(contacts, solver.order, bodies, islands);
     for (const Contact& c : contacts) {
         const int leader = islands.leaderOf(bodies.movable(c.a, c.b));
         Island& island = islands_[leader];
         island.touching = true;
         island.needed = larger(island.needed, columns_.substeps(leader));
-        const double ratio = loadRatio(c, bodies, gravity);
+        ++island.contacts;
+        const double n = ways(c, bodies, step.dt) / kWayPerSubstep;
+        if (n > step.settings.substeps) ++island.thin, island.thinSum += n;
+        const double ratio = loadRatio(c, bodies, step.gravity);
         if (ratio > kHeavy)
             island.needed = larger(island.needed,
                                    clamped(kSubstepsARatio * ratio, kLeastHeavy, kMostHeavy));
@@ -185,7 +203,7 @@ int Substeps::choose(DisjointSets& islands, std::span<const Contact> contacts,
     for (const int i : bodies.active) islands_[i] = {};
     if (step.settings.maxSubsteps > least) {
         addJoints(islands, joints, bodies, solver, step);
-        addContacts(islands, contacts, bodies, step.gravity, solver);
+        addContacts(islands, contacts, bodies, solver, step);
         addTurns(bodies, dt);
     }
     for (const int i : bodies.active) {

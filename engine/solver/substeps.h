@@ -11,6 +11,8 @@
 ///                           an island with contacts, which lose energy in any case; 0.5 in a net, whose
 ///                           tension decides (without h omega < 1 a strip of 5 by 40 balls tears when it whips)
 ///   columns and walls       more for taller ones (columns.h)
+///   thin bodies that land   h v < t / 2, v: how fast two approach, t: the thickness of the thinner, on average over
+///                           those that need more than usual, if they are more than one contact in fifty
 ///   heavy on light          four if a body rests on one of a tenth of its mass, eight on a fiftieth; on a
 ///                           hundredth, 3.2 for every level of the column (1000:1 on four: 16)
 /// The number is 4, 8, 12, 16, 24, 32 ... (with 4 `substeps`), never above `maxSubsteps`, and above 32
@@ -73,6 +75,8 @@ private:
         double turn = 0.0;        // rad/s, of the fastest joint
         double turnToCome = 0.0;  // rad/s, during the step
         int joints = 0;           // of trees
+        int contacts = 0, thin = 0;  // thin: between bodies that are fast for their thickness
+        double thinSum = 0.0;        // the sub-steps that these need
         bool touching = false, any = false;
     };
 
@@ -80,7 +84,7 @@ private:
                    const Solver& solver, const SubstepChoice& step);
     void addTurns(const Bodies& bodies, double dt);
     void addContacts(DisjointSets& islands, std::span<const Contact> contacts,
-                     const Bodies& bodies, const Vec3& gravity, const Solver& solver);
+                     const Bodies& bodies, const Solver& solver, const SubstepChoice& step);
     static int mostOf(const Island& island, const Settings& settings);
 
     Columns columns_;

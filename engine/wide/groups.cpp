@@ -24,6 +24,7 @@ void ContactGroups::find(std::span<const Contact> contacts, std::span<const Join
     for (const int i : bodies.active) islands_[i] = {};
     count(contacts, bodies, islands);
     moving_.clear(), touched_.clear(), atRest_.clear(), spans_.clear(), bodies_.clear(), open_.clear();
+    thinness_.clear(), counts_.clear();
     const auto eachAwake = [&](const auto& visit) {
         for (const Joint& joint : joints) {
             const int body = bodies.movable(joint.def.a.index, joint.def.b.index);
@@ -50,6 +51,7 @@ void ContactGroups::find(std::span<const Contact> contacts, std::span<const Join
         if (island.group < 0) island.group = groupFor(island, body, bodies.spans[body]);
         if (!island.calm || island.contacts >= kManyContacts) atRest_[island.group] = 0;
         ofContact_.push_back(island.group);
+        thinness_[island.group] += 1.0 / bodies.thinner(contact.a, contact.b), ++counts_[island.group];
     }
     findJointedBodies(contacts, bodies, islands);
 }
@@ -71,6 +73,7 @@ int ContactGroups::addGroup(bool moving, bool touched, int body, double span) {
     atRest_.push_back(1);
     spans_.push_back(span);
     bodies_.push_back(body);
+    thinness_.push_back(0.0), counts_.push_back(0);
     return count() - 1;
 }
 

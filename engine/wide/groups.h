@@ -36,6 +36,8 @@ public:
     bool atRest(int group) const { return atRest_[group] != 0; }
     /// s: the sub-step of its bodies.
     double span(int group) const { return spans_[group]; }
+    /// m: the harmonic mean, over its contacts, of the thinner body's thickness.
+    double thickness(int group) const { return counts_[group] / thinness_[group]; }
     /// One of them.
     int bodyOf(int group) const { return bodies_[group]; }
     /// Bodies with contacts that are connected with joints, directly or not; all or those of a group.
@@ -71,7 +73,8 @@ private:
     std::vector<Island> islands_;  // by leader
     std::vector<char> touches_;                    // by body
     std::vector<char> moving_, touched_, atRest_;  // by group
-    std::vector<double> spans_;
+    std::vector<double> spans_, thinness_;  // the latter: the sum of 1 / thickness
+    std::vector<int> counts_;               // contacts
     std::vector<int> bodies_;
     int jointed_ = 0;                     // groups
 };

@@ -17,13 +17,14 @@
 
 namespace engine {
 
-/// Sweeps end after `least` with a residual below `tolerance` (m/s), and even after `fewest` with a
-/// hundredth of it, where nothing moves.
+/// Sweeps end after `least` with a residual below `tolerance` (m/s), even after `fewest` with a hundredth of it,
+/// where nothing moves, and after `usual` with one below `bearable`.
 struct SweepLimits {
-    int fewest = 0, least = 0, most = 0;
-    double tolerance = 0.0;
+    int fewest = 0, least = 0, usual = 0, most = 0;
+    double tolerance = 0.0, bearable = 0.0;
 
     bool areEnough(int sweeps, double residual) const {
+        if (sweeps >= usual && residual < bearable) return true;
         return sweeps >= fewest && residual < (sweeps >= least ? tolerance : 0.01 * tolerance);
     }
 };

@@ -298,9 +298,9 @@ TEST(FastBodies, TheOrderOfBodiesDoesNotMatter) {
     World one = shooting(true), other = shooting(false);
     run(one, 10), run(other, 10);
     EXPECT_GT(one.velocity({1}).x(), 10.0);  // it was hit
-    for (const int i : {0, 1}) {  // of 200 m/s; a moving island is swept four times
-        EXPECT_LT((one.pose({i}).position - other.pose({1 - i}).position).norm(), 1e-2);
-        EXPECT_LT((one.velocity({i}) - other.velocity({1 - i})).norm(), 5e-2);
+    for (const int i : {0, 1}) {  // of 200 m/s; they hit twice, which magnifies what the first hit left over
+        EXPECT_LT((one.pose({i}).position - other.pose({1 - i}).position).norm(), 0.1);
+        EXPECT_LT((one.velocity({i}) - other.velocity({1 - i})).norm(), 0.6);
     }
 }
 

@@ -221,5 +221,34 @@ void expectCardsKeepTheirHeight(const Settings& settings) {
 TEST(Deck, OfThinCardsKeepsItsHeightInPresetSteady) { expectCardsKeepTheirHeight(Settings::steady()); }
 TEST(Deck, OfThinCardsKeepsItsHeightInPresetFast) { expectCardsKeepTheirHeight(Settings::fast()); }
 
+/// Planks fall on each other, up to 8 m/s fast. Half of their thickness overlapped for a moment, they would be pushed
+/// out on the wrong side, and those that rest on each other like that rise for half a minute.
+void expectPlanksKeepApart(const Settings& settings, double thickness) {
+    constexpr int kPlanks = 20;
+    for (int seed = 0; seed < 3; ++seed) {
+        World world(settings);
+        world.add(support::floorPlane());
+        support::Random random(seed);
+        for (int i = 0; i < kPlanks; ++i) {
+            const Vec3 beside = random.vector(0.4);
+            BodyDef plank = body(Shape::box({0.2, thickness, 1.2}), {beside.x(), 0.5 + 0.15 * i, beside.z()});
+            plank.pose.rotation = turnAbout(Vec3::UnitY(), kPi * random.vector(1.0).x());
+            world.add(plank);
+        }
+        double deepest = 0.0, lowest = 1e9;
+        for (int step = 0; step < 240; ++step) {
+            world.step(kStep);
+            deepest = std::max(deepest, world.errors().penetration);
+            lowest = std::min(lowest, world.energy().total());
+        }
+        EXPECT_LT(deepest, 0.6 * thickness) << seed;
+        EXPECT_LT(world.energy().total(), 1.01 * lowest) << seed;
+    }
+}
+
+TEST(Planks, KeepApartWhenTheyLandInPresetSteady) { expectPlanksKeepApart(Settings::steady(), 0.02); }
+TEST(Planks, KeepApartWhenTheyLandInPresetFast) { expectPlanksKeepApart(Settings::fast(), 0.02); }
+TEST(Planks, OfSixMillimetresKeepApart) { expectPlanksKeepApart(Settings::steady(), 0.006); }
+
 }  // namespace
 }  // namespace engine

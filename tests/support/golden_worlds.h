@@ -171,7 +171,7 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
         {"stack", goldenStack, 300, 0xf69f3198edb973d8},
         {"pendulum", goldenPendulum, 600, 0x031b0dd67da8295b},
         {"chain", goldenChain, 300, 0x4d1a2907843d6374},
-        {"pyramid", goldenPyramid, 60, 0x4929ec79df58fe2e},
+        {"pyramid", goldenPyramid, 60, 0x8a41a7ba97bc343e},
         {"forces", goldenForces, 300, 0x3e6bfd9bcd53ffca},
         {"machine", goldenMachine, 300, 0x8715cd7d70c56b86},
         {"shapes", goldenShapes, 180, 0x449343c0ec41fc76},
