@@ -31,8 +31,8 @@ double closestToBox(const Segment& s, const Vec3& half) {
             else
                 low = kink;
         }
-    const double below = slope(low), above = slope(high);
-    return above > below ? low - below * (high - low) / (above - below) : 0.5 * (low + high);
+    const double below = slope(low), above = slope(high);  // below <= 0 < above
+    return low - below * (high - low) / (above - below);
 }
 
 struct Axis {

@@ -41,7 +41,7 @@ void PressedBodies::load(std::span<const Contact> contacts, std::span<const Join
         if (joint.present) forget(joint.def.a.index), forget(joint.def.b.index);
     for (const Contact& c : contacts)
         for (const int i : {c.a, c.b}) {
-            if (i >= static_cast<int>(slot_.size()) || slot_[i] < 0 || bodies.massFactors[i] > 1.0) continue;
+            if (slot_[i] < 0 || bodies.massFactors[i] > 1.0) continue;
             const Press& press = presses_[slot_[i]];
             const Vec3 towards = i == c.a ? Vec3(-c.normal) : c.normal;
             if (press.by == c.a || press.by == c.b) continue;  // one body alone does not press

@@ -95,6 +95,14 @@ TEST(Direct, FiveBoxesPressTheFloorWithTheirWeight) {  // mission 20
     EXPECT_LT(world.report().direct.rank, world.report().direct.rows);  // four corners on a plane
 }
 
+TEST(Direct, HoldsABodyThatIsOlderThanItsFloor) {
+    World world(directly());
+    const BodyId box = world.add(support::body(Shape::box({1, 1, 1}), {0, 0.5, 0}));
+    world.add(support::floorPlane());
+    support::run(world, 60);
+    EXPECT_NEAR(world.pose(box).position.y(), 0.5, 1e-3);
+}
+
 TEST(Direct, NamesRedundantJointsAndStaysFinite) {
     World world(directly());
     const BodyId hook = world.add(support::hook());
