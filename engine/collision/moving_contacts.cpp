@@ -270,6 +270,7 @@ int looksNeeded(const MovingPairs& moving, const Bodies& bodies, double dt, std:
 
 void findWhoTurnsFar(std::span<const Contact> contacts, const Bodies& bodies, std::span<const int> lookedAt,
                      int substep, double h, std::vector<int>& turned) {
+    if (contacts.empty()) return;
     const auto turnOf = [&](int i) { return turnSince(bodies, i, (substep + bodies.strides[i] - lookedAt[i]) * h); };
     const auto wayOf = [&](int i, double turn) { return turn > 0.0 ? turn * reachOf(bodies.defs[i].shape) : 0.0; };
     double most = 0.0, farthest = 0.0, thinnest = kFar;  // rad, m, m

@@ -54,6 +54,19 @@ TEST(PressedBodies, WithAJointKeepTheirMass) {
     EXPECT_EQ(pile.bodies.massFactors[1], 1.0);
 }
 
+// The heaviest of those that press counts, in any order of the contacts.
+TEST(PressedBodies, CountForAHundredthOfTheHeaviest) {
+    for (const bool heaviestLast : {false, true}) {
+        Pressing pile;
+        const int lighter = pile.bodies.count();
+        addBody(pile.bodies, support::body(Shape::sphere(0.5), {0, 2, 0}, 100.0), lighter);
+        pile.contacts = {touching(0, 1, pile.bodies), touching(1, 2, pile.bodies), touching(1, lighter, pile.bodies)};
+        if (heaviestLast) std::swap(pile.contacts[1], pile.contacts[2]);
+        pile.pressed.load(pile.contacts, {}, pile.bodies);
+        EXPECT_NEAR(pile.bodies.inverseMasses[1].linear, 1.0 / 10.0, 1e-12) << heaviestLast;
+    }
+}
+
 // A light body that flies around the edge of a heavy one has contacts with both of its sides.
 TEST(PressedBodies, AreNotThoseThatOneBodyTouchesFromTwoSides) {
     Pressing pile;
