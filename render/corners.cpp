@@ -68,7 +68,8 @@ void addHeading(const Text& text, const Margins& m, float room, PlacedText& p) {
 PlacedText linesOf(const Text& text, float share, const Margins& m) {
     PlacedText p;
     p.pixels = pixelsOf(text.size, m, share);
-    p.pad = text.plate ? std::round(0.5f * static_cast<float>(p.pixels)) : 0.0f;
+    const bool tight = text.needed && p.pixels <= kSmallestText;
+    p.pad = text.plate ? std::round((tight ? 0.25f : 0.5f) * static_cast<float>(p.pixels)) : 0.0f;
     const float room = m.right() - m.side - 2.0f * p.pad;
     p.formulas = text.formulas;
     p.lines = brokenText(text.text, p.pixels, room, p.formulas);
@@ -105,7 +106,7 @@ void addText(const Text& text, const Margins& m, CornerLayout& layout) {
         if (p.lines.size() > 2 && share != shares.back() && p.pixels > kSmallestText) continue;
         const float height =
             p.headingHeight + p.lineHeight * static_cast<float>(p.lines.size()) + 2.0f * p.pad;
-        if (hidesTooMuch(p, height, m)) continue;
+        if (!text.needed && hidesTooMuch(p, height, m)) continue;
         const float gap = 0.2f * static_cast<float>(p.pixels);
         const auto box = placed(widthOf(p), height, text.corner, gap, layout, m);
         if (!box) continue;

@@ -126,6 +126,7 @@ struct Text {
     std::string heading{};  // smaller, above the text; left out where letters are smallest
     Color headingColor{0.1f, 0.1f, 0.11f, 1.0f};  // sRGB
     std::vector<Formula> formulas{};  // in the text; such a text has no halo
+    bool needed = false;  // drawn even where it hides much of a small picture
 };
 
 /// The symbol before a row's text: a sample of a mark in the picture.

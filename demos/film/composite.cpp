@@ -21,14 +21,26 @@ void place(const render::Image& part, int x, int y, render::Image& whole) {
         std::copy_n(part.at(0, row), 4 * part.width, whole.at(x, y + row));
 }
 
-/// A white line on the right and below, where another panel follows.
-void drawBorder(const Area& at, render::Image& whole) {
+/// A white line on the right and below, where another panel follows; `grid`: the size of all panels together.
+void drawBorder(const Area& at, const Area& grid, render::Image& whole) {
     const int width = std::max(whole.height / 360, 1);
     const int right = at.x + at.width, bottom = at.y + at.height;
     for (int y = at.y; y < bottom; ++y)
-        if (right < whole.width) std::fill_n(whole.at(right - width, y), 4 * width, kWhite);
+        if (right < grid.width) std::fill_n(whole.at(right - width, y), 4 * width, kWhite);
     for (int y = bottom - width; y < bottom; ++y)
-        if (bottom < whole.height) std::fill_n(whole.at(at.x, y), 4 * at.width, kWhite);
+        if (bottom < grid.height) std::fill_n(whole.at(at.x, y), 4 * at.width, kWhite);
+}
+
+/// Of all panels and the plot.
+Area gridOf(const PanelLayout& layout) {
+    Area grid;
+    const auto add = [&](const Area& at) {
+        grid.width = std::max(grid.width, at.x + at.width);
+        grid.height = std::max(grid.height, at.y + at.height);
+    };
+    for (const Area& panel : layout.panels) add(panel);
+    add(layout.strip);
+    return grid;
 }
 
 /// Half transparent, so that what is below stays visible.
@@ -80,7 +92,7 @@ render::Image withStrip(render::Image panel, const FilmPlan& plan, double time) 
     const Area& at = plan.layout.panels.front();
     place(panel, at.x, at.y, whole);
     const bool onPaper = plan.panels.front().overlays.pixelsPerPoint > 0.0;  // one background
-    if (!plan.alpha() && !onPaper) drawBorder(at, whole);
+    if (!plan.alpha() && !onPaper) drawBorder(at, gridOf(plan.layout), whole);
     placeStrip(plan, time, whole);
     return whole;
 }
@@ -158,7 +170,7 @@ render::Image Composite::drawPanel(Show& show, double time, render::Renderer& re
     return renderer.draw(Shutter(plan_.shutter, show.steps).moments(show.seen));
 }
 
-/// Arrows and colours of several panels have one scale, so that they can be compared.
+/// Arrows and colours of several panels have one scale, so that they can be compared, and each has its label.
 render::Frame Composite::pictureOf(const Show& show, double time) const {
     if (shows_.size() == 1) return show.player.frame(time);
     History history = show.player.history();
@@ -168,7 +180,9 @@ render::Frame Composite::pictureOf(const Show& show, double time) const {
         history.nudgePeak = std::max(history.nudgePeak, its.nudgePeak);
         history.largestValue = std::max(history.largestValue, its.largestValue);
     }
-    return show.player.frame(time, history);
+    render::Frame frame = show.player.frame(time, history);
+    for (render::Text& text : frame.texts) text.needed = true;
+    return frame;
 }
 
 render::Frame Composite::frameOf(const Show& show, double time) const {
@@ -223,10 +237,11 @@ render::Image Composite::draw(int frame, render::Renderer& renderer) {
     if (shows_.size() == 1)
         return withStrip(drawPanel(*shows_.front(), time, renderer), plan_, time);
     render::Image whole = emptyPicture(plan_);
+    const Area grid = gridOf(plan_.layout);
     for (std::size_t i = 0; i < shows_.size(); ++i) {
         const Area& at = plan_.layout.panels[i];
         place(drawPanel(*shows_[i], time, renderer), at.x, at.y, whole);
-        drawBorder(at, whole);
+        drawBorder(at, grid, whole);
     }
     if (!plan_.strip.pixels.empty()) placeStrip(plan_, time, whole);
     return whole;

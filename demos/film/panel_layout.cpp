@@ -5,8 +5,6 @@ namespace {
 
 constexpr double kStripShare = 0.3;  // of the height, for a plot below the panels
 
-int even(int pixels) { return pixels - pixels % 2; }
-
 int columnsFor(int panels) {
     int columns = 1;
     while (columns * columns < panels) ++columns;
@@ -25,12 +23,10 @@ PanelLayout panelLayout(int panels, bool strip, int width, int height) {
     const bool freeCorner = panels == 3;
     const bool below = strip && !freeCorner;
     const int forPanels = below ? static_cast<int>((1.0 - kStripShare) * height) : height;
-    const int w = even(width / columns), h = even(forPanels / rows);
+    const int w = width / columns, h = forPanels / rows;
     for (int i = 0; i < panels; ++i)
         layout.panels.push_back({i % columns * w, i / columns * h, w, h});
-    layout.width = columns * w;
-    layout.height = even(below ? height : rows * h);
-    if (below) layout.strip = {0, rows * h, layout.width, layout.height - rows * h};
+    if (below) layout.strip = {0, rows * h, width, height - rows * h};
     if (strip && freeCorner) layout.strip = {w, h, w, h};
     return layout;
 }

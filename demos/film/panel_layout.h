@@ -10,14 +10,14 @@ struct Area {
 };
 
 struct PanelLayout {
-    int width = 0, height = 0;      // pixels, of the whole film
+    int width = 0, height = 0; // pixels, of the whole film
     std::vector<Area> panels;  // all of one size
     Area strip;                // of a plot; width 0 = none
 };
 
 /// One panel fills the film. Two are side by side, with the plot below; three leave the fourth
-/// corner to the plot; more make a grid as square as possible, with the plot below. Sizes are even,
-/// as some codecs require.
+/// corner to the plot; more make a grid as square as possible, with the plot below. What a grid of equal
+/// panels leaves over of the size, a few pixels on the right and below, stays empty.
 PanelLayout panelLayout(int panels, bool strip, int width, int height);
 
 /// A picture that keeps its size, with a plot of `strip` pixels below it: for paper, where a plot's

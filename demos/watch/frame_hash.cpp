@@ -86,8 +86,8 @@ private:
         add(points, pixels, color);
     }
     void one(const render::Text& text) {
-        const auto& [words, corner, size, color, plate, heading, headingColor, formulas] = text;
-        add(words, corner, size, color, plate, heading, headingColor, formulas);
+        const auto& [words, corner, size, color, plate, heading, headingColor, formulas, needed] = text;
+        add(words, corner, size, color, plate, heading, headingColor, formulas, needed);
     }
     void one(const render::Formula& formula) {
         const auto& [width, ascent, descent, letters, strokes] = formula;

@@ -111,7 +111,9 @@ TEST(Corners, APlateIsLeftOutWhereItWouldHideMoreThanAnEighth) {
     frame.look.unit = 1.0f;  // letters of a given size
     EXPECT_TRUE(isShown(256, 144));
     frame.look.unit = 0.0f;
-    frame.texts[0].plate = false;
+    frame.texts[0].needed = true;  // the label of a panel
+    EXPECT_TRUE(isShown(160, 90));
+    frame.texts[0].needed = frame.texts[0].plate = false;
     EXPECT_TRUE(isShown(256, 144));
 }
 

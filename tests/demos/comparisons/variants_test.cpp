@@ -141,12 +141,14 @@ TEST(Comparisons, SubstepsBeatSweeps) {
               0.25 * valueOf(played("substeps", 0), "separation"));
 }
 
-TEST(PanelLayout, FillsThePictureWithEvenPanels) {
+TEST(PanelLayout, FillsThePictureWithEqualPanels) {
     for (int panels = 1; panels <= 16; ++panels)
         for (const bool strip : {false, true}) {
-            const PanelLayout layout = panelLayout(panels, strip, 1280, 720);
+            const int odd = panels % 2;
+            const PanelLayout layout = panelLayout(panels, strip, 1280 + odd, 720 + odd);
             ASSERT_EQ(layout.panels.size(), static_cast<std::size_t>(panels));
-            EXPECT_EQ(layout.width % 2 + layout.height % 2, 0);
+            EXPECT_EQ(layout.width, 1280 + odd);
+            EXPECT_EQ(layout.height, 720 + odd);
             EXPECT_EQ(layout.strip.width > 0, strip);
             std::vector<Area> all = layout.panels;
             if (strip) all.push_back(layout.strip);
