@@ -39,7 +39,8 @@ struct Settings {
     Method method = Method::impulses;
     int substeps = 4;         // repetitions of velocities, impulses, positions and nudges per step
     int maxSubsteps = 128;    // limit of substeps where joints or masses need more (solver/substeps.h)
-    int sweeps = 20;          // velocity sweeps per sub-step, at most
+    int sweeps = 20;          // velocity sweeps per sub-step, at most; four times as many where bodies would sink
+                              // into each other by a tenth of their thickness in a step
     int minSweeps = 2;        // velocity sweeps per sub-step, at least; more for tall structures at rest
     int movingSweeps = 4;     // velocity sweeps at most for a moving island (wide/groups.h), if islands are solved one by one
     double tolerance = 1e-3;  // m/s: sweeps end when no correction is larger; 0 = all sweeps

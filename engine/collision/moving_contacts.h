@@ -9,10 +9,12 @@
 /// Free motion ends with the first impact, so there are two further sources of contacts:
 ///   * a pair that touches continues to turn about its contact: a second manifold, at the poses of the
 ///     step's end without the approach, holds the features that come down then
-///   * a body that is hit may be thrown against its neighbours in the same step, by at most
-///       throw_a = dt (1 + e) c m_b / (m_a + m_b)              (m)
-///     which it passes on to the bodies it hits itself. Bodies less than throw_a + throw_b
-///     apart get a contact, with a C so large that it does not affect free motion.
+///   * a body that hits something may be thrown against its neighbours in the same step, or is stopped while those
+///     behind it are not, as what it hits may be held. It leaves its free motion by at most
+///       throw_a = dt (1 + e) max(c m_b / (m_a + m_b), min(c, |v_a|))             (m)
+///     c: how fast the two approach, m/s, to which dt c is added what throw_b exceeds their distance by; so throws
+///     go from body to body. Bodies less than throw_a + throw_b apart get a contact, with a C so large that it
+///     does not affect free motion.
 #pragma once
 #include <algorithm>
 #include <optional>
@@ -47,6 +49,12 @@ struct MovingPairs {
     std::vector<double> throwsBefore;
     std::vector<int> thrown;      // bodies whose throw is not zero
 
+    /// The body is thrown by up to `way` (m).
+    void reach(int body, double way) {
+        double& farthest = throws[body];
+        if (farthest == 0.0 && way > 0.0) thrown.push_back(body);
+        farthest = larger(farthest, way);
+    }
     /// How much closer the hits of this step may bring the two, m.
     double throwOf(const PairKey& pair) const { return throws[pair.a] + throws[pair.b]; }
 };

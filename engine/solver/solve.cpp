@@ -8,6 +8,7 @@ namespace engine {
 namespace {
 
 constexpr double kSinks = 0.1;            // of the bodies' thickness, in a step
+constexpr int kMore = 4;                  // times the usual sweeps, until they sink less
 constexpr double kMuchLeft = 0.5;         // m/s, of a residual: see fresh_start.h
 constexpr double kMuchLeftOfJoined = 0.25;  // m/s or rad/s: joined_start.h
 /// Of a net, in a step and in a sub-step: what these leave, five times as many hardly reduce.
@@ -70,11 +71,15 @@ SweepLimits limitsOf(const Solver& s, int group, const Settings& settings, doubl
         limits.most = limits.fewest + mostOfNet(s, group, settings, step);
     } else if (s.groups.moving(group)) {
         limits.usual = smaller(settings.movingSweeps, settings.sweeps);
-        limits.bearable = kSinks * s.groups.thickness(group) / step;
     } else if (s.groups.atRest(group)) {
         limits.least = leastAtRest(s, group, settings, step);
         limits.most *= settings.restFactor;
         limits.tolerance /= settings.restFactor;
+        limits.usual = limits.most;
+    }
+    if (s.groups.isTouched(group) && settings.tolerance > 0.0) {
+        limits.bearable = kSinks * s.groups.thickness(group) / step;
+        limits.most = larger(limits.most, kMore * settings.sweeps);
     }
     return limits;
 }

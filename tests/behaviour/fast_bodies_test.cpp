@@ -304,6 +304,42 @@ TEST(FastBodies, TheOrderOfBodiesDoesNotMatter) {
     }
 }
 
+/// Bodies in file, all equally fast, come to a wall: each stops behind the one before, within the step in which that
+/// one stops. Returns how deep they overlap, m; infinite if one has passed another.
+double overlapInFile(const Settings& settings, const Shape& shape, double length, int count, double gap, double speed) {
+    World world(settings);
+    world.setGravity({0, 0, 0});
+    world.add(fixed(Shape::plane({1, 0, 0})));
+    for (int i = 0; i < count; ++i) {
+        const double x = 0.137 + 0.5 * length + i * (length + gap);
+        BodyDef def = body(shape, {x, 1e-3 * i, 7e-4 * i}, 10.0);
+        def.velocity = {-speed, 0, 0};
+        world.add(def);
+    }
+    double deepest = 0.0;
+    for (int step = 0; step < 40; ++step) {
+        world.step(kStep);
+        deepest = std::max(deepest, world.errors().penetration);
+    }
+    const auto at = [&](int i) { return world.pose({i}).position.x(); };
+    for (int i = 2; i <= count; ++i)
+        if (at(i) < at(i - 1)) return std::numeric_limits<double>::infinity();
+    return deepest;
+}
+
+TEST(FastBodies, InFileStopBehindEachOther) {
+    const std::pair<Shape, double> all[] = {
+        {Shape::sphere(0.1), 0.2}, {Shape::box({0.2, 0.2, 0.2}), 0.2}, {Shape::box({0.05, 0.5, 0.5}), 0.05}};
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const auto& [shape, length] : all)
+            for (const int count : {3, 8})
+                for (const double gap : {0.01, 0.03, 0.1})
+                    for (const double speed : {5.0, 10.0, 20.0})
+                        EXPECT_LT(overlapInFile(settings, shape, length, count, gap, speed), 0.2 * length)
+                            << settings.substeps << " sub-steps, " << length << " m, " << count << " bodies, gap "
+                            << gap << ", " << speed << " m/s";
+}
+
 TEST(FastBodies, TheSameThrowGivesTheSameBits) {
     World one = shooting(true), other = shooting(true);
     run(one, 10), run(other, 10);
