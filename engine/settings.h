@@ -80,7 +80,7 @@ struct Settings {
     /// The default: the most stable settings with the best energy conservation in experiments.
     static Settings steady() { return {}; }
 
-    /// For many bodies: half the sub-steps and at most eight sweeps, whatever error remains, except for small
+    /// For many bodies: half the sub-steps and usually at most eight sweeps, whatever error remains, except for small
     /// islands at rest. Stacks, walls and card houses stand; large piles sink by some centimetres at first.
     static Settings fast() {
         Settings s;

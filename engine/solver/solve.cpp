@@ -8,7 +8,7 @@ namespace engine {
 namespace {
 
 constexpr double kSinks = 0.1;            // of the bodies' thickness, in a step
-constexpr int kMore = 4;                  // times the usual sweeps, until they sink less
+constexpr int kMoreSweeps = 4;            // times the usual sweeps, until they sink less
 constexpr double kMuchLeft = 0.5;         // m/s, of a residual: see fresh_start.h
 constexpr double kMuchLeftOfJoined = 0.25;  // m/s or rad/s: joined_start.h
 /// Of a net, in a step and in a sub-step: what these leave, five times as many hardly reduce.
@@ -79,7 +79,7 @@ SweepLimits limitsOf(const Solver& s, int group, const Settings& settings, doubl
     }
     if (s.groups.isTouched(group) && settings.tolerance > 0.0) {
         limits.bearable = kSinks * s.groups.thickness(group) / step;
-        limits.most = larger(limits.most, kMore * settings.sweeps);
+        limits.most = larger(limits.most, kMoreSweeps * settings.sweeps);
     }
     return limits;
 }
