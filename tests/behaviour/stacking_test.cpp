@@ -193,6 +193,20 @@ TEST(Steady, APyramidStands) {
     EXPECT_LT(drift(world), 8e-3);
 }
 
+// Each is a group of contacts of its own.
+TEST(Steady, TwoPyramidsStandWithoutLanes) {
+    Settings settings;
+    settings.lanes = false;
+    World world(settings);
+    world.add(support::floorPlane());
+    for (const double z : {0.0, 5.0})
+        for (int row = 0; row < 8; ++row)
+            for (int i = 0; i < 8 - row; ++i)
+                world.add(body(Shape::box({1, 1, 1}), {i + 0.5 * row, row + 0.5, z}, 1000));
+    run(world, 60);
+    EXPECT_LT(drift(world), 8e-3);
+}
+
 // 52 cards of a millimetre, much thinner than contact detection looks ahead. With the sub-steps of a heap they
 // were squashed to 40 mm in `steady` and 8 mm in `fast`.
 void expectCardsKeepTheirHeight(const Settings& settings) {

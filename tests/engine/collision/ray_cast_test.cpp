@@ -77,6 +77,16 @@ TEST(RayCast, WaysAlongAxesAndThroughEndsAreNoSpecialCase) {
             EXPECT_DOUBLE_EQ(hit->fraction, 0.4);
             EXPECT_EQ(hit->normal, Vec3(side * Vec3::Unit(axis)));
         }
+    // A way along faces of a hull: between them, and beside them.
+    std::vector<Vec3> corners;
+    for (const double x : {-1.0, 1.0})
+        for (const double y : {-1.0, 1.0})
+            for (const double z : {-1.0, 1.0}) corners.push_back({x, y, z});
+    const Shape hull = *Shape::hullOf(corners);
+    const auto front = enterShape(hull, pose, {5, 0.5, 0}, {-5, 0.5, 0});
+    ASSERT_TRUE(front);
+    EXPECT_DOUBLE_EQ(front->fraction, 0.4);
+    EXPECT_FALSE(enterShape(hull, pose, {5, 1.5, 0}, {-5, 1.5, 0}));
     const auto tip = enterShape(capsule, pose, {0, 5, 0}, {0, -5, 0});
     ASSERT_TRUE(tip);
     EXPECT_DOUBLE_EQ(tip->fraction, 0.35);

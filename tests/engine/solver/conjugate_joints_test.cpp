@@ -7,7 +7,7 @@
 namespace engine {
 namespace {
 
-/// Balls of a net with joints to their neighbours, held along one edge, with random velocities and a last sub-step.
+/// Balls of a net, of 0.5 to 1.5 kg, with joints to their neighbours, held along one edge, with random velocities and a last sub-step.
 struct SmallNet {
     static constexpr int kSize = 6, kGroup = 0;
 
@@ -21,7 +21,8 @@ struct SmallNet {
         support::Random random(3);
         for (int k = 0; k < kSize; ++k)
             for (int i = 0; i < kSize; ++i) {
-                BodyDef def = support::body(Shape::sphere(0.1), Vec3(i, 0, k) + random.vector(0.1));
+                BodyDef def = support::body(Shape::sphere(0.1), Vec3(i, 0, k) + random.vector(0.1),
+                                             0.5 * (1 + i % 3));
                 if (k == 0) def.kind = BodyKind::fixed;
                 else def.velocity = random.vector(1), def.spin = random.vector(1);
                 const int here = bodies.count();
