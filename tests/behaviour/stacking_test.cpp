@@ -194,12 +194,12 @@ TEST(Steady, APyramidStands) {
 }
 
 // Each is a group of contacts of its own.
-TEST(Steady, TwoPyramidsStandWithoutLanes) {
+TEST(Steady, ThreePyramidsStandWithoutLanes) {
     Settings settings;
     settings.lanes = false;
     World world(settings);
     world.add(support::floorPlane());
-    for (const double z : {0.0, 5.0})
+    for (const double z : {0.0, 5.0, 10.0})
         for (int row = 0; row < 8; ++row)
             for (int i = 0; i < 8 - row; ++i)
                 world.add(body(Shape::box({1, 1, 1}), {i + 0.5 * row, row + 0.5, z}, 1000));
