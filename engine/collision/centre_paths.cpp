@@ -37,7 +37,6 @@ void holdInFront(Bodies& bodies, ContactFinder& finder, std::span<const Pose> be
         const bool meshA = bodies.defs[pair.a].shape.type == ShapeType::mesh;
         const int mesh = meshA ? pair.a : pair.b, body = meshA ? pair.b : pair.a;
         if (bodies.defs[mesh].shape.type != ShapeType::mesh || !bodies.isAwake(body)) continue;
-        if (std::size_t(larger(pair.a, pair.b)) >= before.size()) continue;
         if (bodies.waits(pair.a, pair.b) || isSensed(bodies, pair) || finder.jointed.contains(pair, bodies)) continue;
         hold(bodies, body, mesh, before);
     }

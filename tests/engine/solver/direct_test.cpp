@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/solver/impulses.h"
 #include "tests/support/worlds.h"
 
@@ -179,6 +181,57 @@ TEST(Direct, MeasuresBodiesThatDoNotTurn) {
         world.add(support::body(Shape::sphere(0.5), {0, height, 0})), world.setVelocity({world.bodyCount() - 1}, {0, -1, 0}, {0, 0, 0});
     world.step(support::kStep);
     EXPECT_GT(world.report().sweeps.at(0).distance, 0.01);
+}
+
+/// Rows that push between random points of eight bodies, in random directions.
+struct RandomRows {
+    support::Random random;
+    Bodies bodies;
+    GlobalRows g;
+
+    RandomRows(int count, std::uint64_t seed) : random(seed) {
+        addBody(bodies, support::hook(), 0);
+        for (int i = 1; i < 8; ++i) addBody(bodies, support::body(Shape::sphere(0.5), {0, 0, 0}, random.number(0.2, 5)), i);
+        g.h = support::kStep;
+        for (int i = 0; i < count; ++i) add(i % 7 + 1, (i * i + 3 * i) % 8);
+    }
+    void add(int a, int b) {
+        GlobalRow row;
+        row.a = a, row.b = a == b ? 0 : b, row.kind = RowKind::push;
+        row.row = makeRow(alongDirection(random.vector(1).normalized(), random.vector(0.5), random.vector(0.5)),
+                          bodies.inverseMasses[row.a], bodies.inverseMasses[row.b]);
+        g.rows.push_back(row), g.wanted.push_back(random.number(-5, 5)), g.force.push_back(0.0);
+    }
+};
+
+// lambda >= 0, A lambda - wanted >= 0, and one of the two is 0; whatever the number of changes to the active set.
+TEST(Direct, FindsTheActiveSetOfRandomRows) {
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        RandomRows r(28, seed);
+        const auto report = solveDirect(r.g, {}, r.bodies.count());
+        ASSERT_TRUE(report);
+        EXPECT_TRUE(report->found) << seed;
+        std::vector<Velocity> a(r.bodies.count());
+        addAlongRows(r.g, r.g.force, a);
+        for (int i = 0; i < r.g.count(); ++i) {
+            const double slack = velocityAlong(r.g.rows[i].row.j, a[r.g.rows[i].a], a[r.g.rows[i].b]) - r.g.wanted[i];
+            EXPECT_GE(r.g.force[i], -1e-8) << seed;
+            EXPECT_GE(slack, -1e-8) << seed;
+            EXPECT_LT(smaller(r.g.force[i], slack), 1e-8) << seed;
+        }
+    }
+}
+
+// Neither body of the last row can be moved.
+TEST(Direct, LeavesARowThatNothingCanMoveWithoutAForce) {
+    RandomRows r(6, 1);
+    r.g.rows[5].row = makeRow(r.g.rows[5].row.j, {}, {});
+    r.g.wanted[5] = 3.0;
+    const auto report = solveDirect(r.g, {}, r.bodies.count());
+    ASSERT_TRUE(report);
+    EXPECT_TRUE(report->found);
+    EXPECT_EQ(r.g.force[5], 0.0);
+    EXPECT_GT(*std::ranges::max_element(r.g.force), 0.0);
 }
 
 }  // namespace

@@ -266,6 +266,17 @@ TEST(JointTrees, AChainHoldsFixedEndsToo) {
     EXPECT_EQ(plans[0].places[2].joint, 1);
 }
 
+// All joints of a body couple with each other, so a forest has at most sixteen of one.
+TEST(JointTrees, TakeSixteenJointsOfABodyAndLeaveTheRestToTheNextForest) {
+    Jointed j(20, 3);
+    for (int i = 2; i < 20; ++i) j.connect(1, i);
+    j.build();
+    const std::vector<ForestPlan> plans = planForests(j.list, j.bodies.inverseMasses);
+    ASSERT_EQ(plans.size(), 2u);
+    EXPECT_EQ(plans[0].places.size(), 16u);
+    EXPECT_EQ(plans[1].places.size(), 2u);
+}
+
 // Parallel hinges between two fixed ends constrain three directions twice, with contradicting targets. A
 // single joint takes some 50 N s; those that yield by 1 % take at most a hundred times as much.
 TEST(JointTrees, ParallelHingesBetweenTwoBanksStayFinite) {

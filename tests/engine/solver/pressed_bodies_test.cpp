@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/solver/paces.h"
+#include "engine/solver/prepare_contacts.h"
 #include "tests/support/worlds.h"
 
 namespace engine {
@@ -86,6 +88,19 @@ TEST(PressedBodies, AreNotThoseThatAHeavyOneComesNear) {
     pile.bodies.poses[2].position.y() += 0.01;
     pile.pressed.load(pile.contacts, {}, pile.bodies);
     EXPECT_EQ(pile.bodies.massFactors[1], 1.0);
+}
+
+// Contacts may be prepared anew within a step, and a step may be undone before it ends.
+TEST(PressedBodies, HaveTheirMassAgainWhenContactsArePreparedAnew) {
+    Pressing pile;
+    Solver solver;
+    for (const bool pressed : {true, false, true}) {
+        const std::span<Contact> contacts = std::span(pile.contacts).first(pressed ? pile.contacts.size() : 0);
+        connect(contacts, {}, pile.bodies, solver.islands);
+        orderContacts(contacts, pile.bodies, Vec3(0, -1, 0), Order::gravity, solver.keys, solver.order);
+        prepareContacts(contacts, {}, pile.bodies, Settings{}, solver);
+        EXPECT_EQ(pile.bodies.massFactors[1] > 1.0, pressed);
+    }
 }
 
 }  // namespace
