@@ -222,10 +222,11 @@ TEST(Direct, FindsTheActiveSetOfRandomRows) {
     }
 }
 
-// Neither body of the last row can be moved.
+// The last row is a moment on bodies that cannot turn.
 TEST(Direct, LeavesARowThatNothingCanMoveWithoutAForce) {
     RandomRows r(6, 1);
-    r.g.rows[5].row = makeRow(r.g.rows[5].row.j, {}, {});
+    const InverseMass stiff{1.0, Mat3::Zero()};
+    r.g.rows[5].row = makeRow({Vec3::Zero(), -Vec3::UnitX(), Vec3::UnitX()}, stiff, stiff);
     r.g.wanted[5] = 3.0;
     const auto report = solveDirect(r.g, {}, r.bodies.count());
     ASSERT_TRUE(report);
