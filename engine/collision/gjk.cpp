@@ -58,14 +58,15 @@ public:
     }
     enum class Step { nearer, done, inside };
     /// Adds a corner and omits those that do not contribute to the new nearest point. Done: it is as near as
-    /// rounding allows, and nothing changes. Inside: the origin is.
-    Step add(const Corner& next);
+    /// rounding allows, and nothing changes. Inside: the origin is. `isOutside`: it is known to be outside, which
+    /// rounding might decide otherwise where the corners are nearly coplanar.
+    Step add(const Corner& next, bool isOutside);
     Closest result() const;
 
 private:
     const Vec3& p(int i) const { return corners_[i].p; }
     /// The face of the tetrahedron nearest to the origin. False: the origin is inside.
-    bool nearestFace(std::array<int, 3>& face, Shares& best) const;
+    bool nearestFace(std::array<int, 3>& face, Shares& best, bool isOutside) const;
 
     int count_ = 1;
     std::array<Corner, 4> corners_;
@@ -73,10 +74,10 @@ private:
     Vec3 v_;
 };
 
-bool Simplex::nearestFace(std::array<int, 3>& face, Shares& best) const {
+bool Simplex::nearestFace(std::array<int, 3>& face, Shares& best, bool isOutside) const {
     constexpr int kFaces[4][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 3, 1}, {1, 2, 3, 0}};
     double least = 1e300;
-    bool inside = true;
+    bool inside = !isOutside;
     for (const auto& f : kFaces) {
         if (inside) {
             // If inside, the origin is on the fourth corner's side of every face. Four nearly coplanar
@@ -94,7 +95,7 @@ bool Simplex::nearestFace(std::array<int, 3>& face, Shares& best) const {
     return !inside;
 }
 
-Simplex::Step Simplex::add(const Corner& next) {
+Simplex::Step Simplex::add(const Corner& next, bool isOutside) {
     corners_[count_] = next;
     std::array<int, 3> face{0, 1, 2};
     Shares best;
@@ -102,13 +103,13 @@ Simplex::Step Simplex::add(const Corner& next) {
         best = ofSegment(p(0), p(1) - p(0), -p(0).dot(p(1) - p(0)));
     else if (count_ == 2)
         best = ofTriangle(p(0), p(1), p(2));
-    else if (!nearestFace(face, best))
+    else if (!nearestFace(face, best, isOutside))
         return Step::inside;
     Vec3 v = Vec3::Zero();
     int kept = 0;
     for (int i = 0; i < 3; ++i)
         if (best.of[i] > 0.0) v += best.of[i] * p(face[i]), ++kept;
-    if (kept == 0) return Step::inside;
+    if (kept == 0) return isOutside ? Step::done : Step::inside;
     if (!(v.squaredNorm() < v_.squaredNorm())) return Step::done;
     count_ = 0;
     for (int i = 0; i < 3; ++i) {
@@ -158,7 +159,7 @@ Closest closestPoints(const Convex& a, const Convex& b, const Vec3& shift, doubl
             far.distance = along / std::sqrt(square);
             return far;
         }
-        const Simplex::Step step = s.add(next);
+        const Simplex::Step step = s.add(next, along > 0.0);
         if (step == Simplex::Step::inside) return {};
         if (step == Simplex::Step::done) break;
     }

@@ -6,6 +6,7 @@
 #include "engine/collision/collide.h"
 #include "engine/collision/collide_convex.h"
 #include "engine/collision/way_out.h"
+#include "engine/world.h"
 #include "tests/support/worlds.h"
 
 namespace engine {
@@ -243,6 +244,39 @@ TEST(ConvexRest, ConcentricShapesGetSomeNormalAndNoNaN) {
             EXPECT_NEAR(m.normal.norm(), 1.0, 1e-12);
             for (int i = 0; i < m.count; ++i) EXPECT_TRUE(m.points[i].onB.allFinite());
         }
+}
+
+// Overlaps of less than 0.1 mm. With four nearly coplanar corners, GJK took the origin for inside of them, though the
+// pieces were apart, and these were up to 27 mm deep.
+TEST(ConvexRims, TouchingAlmostNotAtAllAreNotDeep) {
+    const Shape cylinder = Shape::cylinder(0.1, 0.2), cone = Shape::cone(0.1, 0.3);
+    struct Pair {
+        Shape a, b;
+        Vec3 atA, atB;
+        Quat turnA, turnB;
+    };
+    const Pair pairs[] = {  // whether it happened hung on the last bits
+        {cylinder, cylinder, {9, 2, 3}, {9.218611843407285, 2.0058083589353077, 2.941405892981467},
+         {-0.19150023317958018, -0.4945819492574653, 0.09734819076768861, -0.8421636930639496},
+         {-0.40135127259657716, 0.787551743185947, 0.06500261463898274, -0.46413007739268713}},
+        {cone, cone, {8, 24, 3}, {8.184669091866164, 23.9164611254019, 2.9882538612878813},
+         {0.27982033104082876, -0.798117620281213, 0.10997734618540556, 0.5221243432927352},
+         {0.17223434967632112, 0.2626435261889892, -0.08259784965729196, -0.9446061971517852}},
+        {cone, Shape::box({0.2, 0.2, 0.2}), {12, 4, 0}, {11.871952183471613, 4.109340600087109, -0.18401787525690386},
+         {-0.3725166561883225, -0.6966222029417067, -0.6098671889550887, -0.06333134347961268},
+         {0.7463491350861635, 0.5039660693422189, 0.383174751531376, 0.20308939458984215}},
+        {cylinder, cylinder, {-0.687545529288133, 0.23772412946705637, -0.04941542770644303},
+         {-0.48952917527460416, 0.32016591157369545, -0.1830680458434411},
+         {-0.5622935398321898, 0.21003380021041887, -0.207922391283729, 0.7723212136378305},
+         {-0.17101983946008723, 0.9044888563165615, 0.29151399507013054, 0.260137874959523}}};
+    for (const Pair& pair : pairs) {
+        World world;
+        BodyDef a = support::fixed(pair.a), b = support::body(pair.b, pair.atB);
+        a.pose = {pair.atA, pair.turnA}, b.pose.rotation = pair.turnB;
+        world.add(a), world.add(b);
+        world.findContacts();
+        EXPECT_LT(world.errors().penetration, 1e-4) << "pair " << &pair - pairs;
+    }
 }
 
 }  // namespace
