@@ -9,14 +9,13 @@ Vec3 spinMomentum(const Bodies& bodies, int i) {
     return q * Vec3(bodies.masses[i].inertia * local);
 }
 
-/// Of a dynamic body, J.
+}  // namespace
+
 double kineticEnergyOf(const Bodies& bodies, int i) {
     const Velocity& v = bodies.velocities[i];
     return 0.5 * (bodies.masses[i].mass * v.linear.squaredNorm() +
                   v.angular.dot(spinMomentum(bodies, i)));
 }
-
-}  // namespace
 
 Vec3 restMomentOf(const Bodies& bodies) {
     Vec3 sum = Vec3::Zero();

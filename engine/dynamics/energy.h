@@ -14,6 +14,9 @@ Vec3 restMomentOf(const Bodies& bodies);
 /// Keeps that sum in Bodies::restMoment, if it has changed.
 void sumResting(Bodies& bodies);
 
+/// Of a dynamic body, J.
+double kineticEnergyOf(const Bodies& bodies, int i);
+
 /// h: Bodies::spans, the sub-steps that produced the velocities.
 Energy energyOf(const Bodies& bodies, const Vec3& gravity);
 

@@ -127,6 +127,7 @@ void TreePart<N>::build(const ForestPlan& plan, int fewest, std::span<const Join
     }
     factors_.connect();
     masses_.resize(members_.size());
+    repeats_.resize(members_.size());
     moved_.resize(members_.size());
     x_.resize(joints_.size());
     fed_.resize(joints_.size());
@@ -293,7 +294,10 @@ void TreePart<N>::takeBackFeedback(Tree& tree, const TreeNudge& nudge, Bodies& b
         turnFreely(bodies.masses[member.body], nudge.gyroscope, tree.h, unused,
                    bodies.velocities[member.body].angular);
     }
-    for (int k = tree.first; k < tree.end; ++k) book(joints_[k], fed_[k], -1.0);
+    for (int k = tree.first; k < tree.end; ++k) {
+        book(joints_[k], fed_[k], -1.0);
+        fed_[k].setZero();
+    }
     tree.anew = false;
 }
 
@@ -316,12 +320,20 @@ void TreePart<N>::nudge(std::span<const int> trees, const TreeNudge& nudge, std:
         evaluateErrors(tree, joints, bodies.poses);
         chooseGain(tree, nudge, bodies);
         for (int k = tree.first; k < tree.end; ++k) fed_[k].setZero();
+        const bool mayBeRepeated = mayRepeat(tree, nudge);
+        if (mayBeRepeated) keepLed(tree, bodies.poses);
+        nudgeUntilMet(tree, nudge, joints, bodies);
+        if (mayBeRepeated && !tree.anew && tree.ratio > (tree.closed ? kSmall : kMet)) repeat(tree, nudge, joints, bodies);
+    }
+}
+
+template <int N>
+void TreePart<N>::nudgeUntilMet(Tree& tree, const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies) {
+    nudgeOnce(tree, nudge, bodies);
+    for (int i = 1; i < kMostNudges; ++i) {
+        evaluateErrors(tree, joints, bodies.poses);
+        if (!goesOn(tree, nudge, bodies)) break;
         nudgeOnce(tree, nudge, bodies);
-        for (int i = 1; i < kMostNudges; ++i) {
-            evaluateErrors(tree, joints, bodies.poses);
-            if (!goesOn(tree, nudge, bodies)) break;
-            nudgeOnce(tree, nudge, bodies);
-        }
     }
 }
 

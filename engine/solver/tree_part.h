@@ -143,6 +143,13 @@ private:
         Velocity kept = {};             // at the start, before any feedback
         Vec3 spin = Vec3::Zero();       // at the start, with feedback
     };
+    /// By member: a sub-step that is repeated by implicit Euler (tree_implicit.cpp).
+    struct Repeat {
+        Pose led, nudged;                // where its velocity led, and nudges did
+        Pose target;                     // q*
+        Velocity free;                   // v*
+        double inertia = 1.0, mass = 1.0;  // (M + G) / M
+    };
 
     std::span<TreeJoint<N>> jointsIn(int tree) {
         return std::span(joints_).subspan(trees_[tree].first, trees_[tree].end - trees_[tree].first);
@@ -168,10 +175,23 @@ private:
     void chooseGain(Tree& tree, const TreeNudge& nudge, const Bodies& bodies) const;
     /// One Newton step.
     void nudgeOnce(Tree& tree, const TreeNudge& nudge, Bodies& bodies);
+    void nudgeUntilMet(Tree& tree, const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
     /// Whether another step helps. Undoes the feedback of a tree where Newton's method does not converge: its
     /// errors are too large, or the sub-step is too long for its tension.
     bool goesOn(Tree& tree, const TreeNudge& nudge, Bodies& bodies);
     void takeBackFeedback(Tree& tree, const TreeNudge& nudge, Bodies& bodies);
+    /// Whether the sub-step of a tree may be repeated by implicit Euler if Newton's method fails: it began with joints
+    /// that were closed, and nothing else has moved the bodies. `poses`, which must be kept before: where v leads.
+    bool mayRepeat(const Tree& tree, const TreeNudge& nudge) const;
+    void keepLed(const Tree& tree, std::span<const Pose> poses);
+    /// Repeats it, or leaves the bodies as they are if that fails, too.
+    void repeat(Tree& tree, const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies);
+    void findTargets(const Tree& tree, Bodies& bodies);
+    void stiffen(const Tree& tree, const Bodies& bodies);
+    void solveStep(const Tree& tree, const Bodies& bodies);
+    bool takeStep(const Tree& tree, Bodies& bodies);
+    void setVelocities(const Tree& tree, Bodies& bodies);
+    double lookAnew(const Tree& tree, std::span<const Joint> joints, std::span<const Pose> poses);
     void move(const Tree& tree, const TreeNudge& nudge, Bodies& bodies);
     /// Turns the bodies of a tree that moves anew as their ends have turned; contacts may have nudged them
     /// too.
@@ -184,6 +204,7 @@ private:
     ByGroup byGroup_;
     std::vector<Member> members_;
     std::vector<InverseMass> masses_;  // by member
+    std::vector<Repeat> repeats_;      // by member
     std::vector<Velocity> moved_;      // by member: motion in this nudge, m, rad
     std::vector<TreeRows<N>> x_, fed_;  // fed_: impulses added by the nudges of this sub-step
 };

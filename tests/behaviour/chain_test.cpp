@@ -1,6 +1,10 @@
 // mission 34 and heavy loads on light links.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+
+#include "engine/base/trigonometry.h"
 #include "tests/support/worlds.h"
 
 namespace engine {
@@ -130,6 +134,92 @@ TEST(SoftChain, OfALightBodyBetweenHeavyOnesGainsNoEnergy) {
                 ASSERT_LT(world.energy().total(), start + 5.0) << light << ", step " << i;  // of 490 J
             }
         }
+}
+
+/// Joints of `type` between two posts, or from one to a bob at the angle (degrees from straight down); links of 1 kg and
+/// 20 cm, or rods between balls of 1 kg.
+struct Slack {
+    World world;
+    BodyId last;
+    Vec3 anchor = Vec3::Zero(), end = Vec3::Zero();
+    JointType type;
+
+    Slack(const Settings& settings, JointType joints) : world(settings), type(joints) { last = world.add(support::hook()); }
+    BodyId add(BodyDef def, const Vec3& at, const Vec3& anchorA, const Vec3& anchorB) {
+        def.collide = false, def.pose.position = at;
+        const BodyId next = world.add(def);
+        join(next, anchorA, anchorB);
+        return next;
+    }
+    void join(BodyId next, const Vec3& anchorA, const Vec3& anchorB) {
+        JointDef joint;
+        joint.type = type, joint.a = last, joint.b = next, joint.axis = Vec3::UnitZ();
+        if (type == JointType::distance) joint.length = 0.2;
+        else joint.anchorA = anchorA, joint.anchorB = anchorB;
+        world.add(joint);
+        last = next;
+    }
+    void addLink(const Vec3& along, double mass = 1.0) {
+        const Vec3 before = end;
+        end += 0.2 * along;
+        if (type == JointType::distance) {
+            add(body(Shape::sphere(0.05), end, mass), end, anchor, Vec3::Zero());
+            return;
+        }
+        BodyDef link = body(Shape::box({0.2, 0.04, 0.04}), end, mass);
+        link.pose.rotation = Quat::FromTwoVectors(Vec3::UnitX(), along);
+        add(link, 0.5 * (before + end), anchor, {-0.1, 0, 0});
+        anchor = {0.1, 0, 0};
+    }
+    /// The worst gap (m), and the largest gain of energy (J).
+    std::pair<double, double> watch(int steps) {
+        const double start = world.energy().total();
+        double gap = 0.0, gain = 0.0;
+        for (int i = 0; i < steps; ++i) {
+            world.step(kStep);
+            gap = std::max(gap, world.errors().separation), gain = std::max(gain, world.energy().total() - start);
+        }
+        return {gap, gain};
+    }
+};
+
+// Released above its hook, it falls freely and snaps taut: its links could not be stopped, and it grew by 36 m.
+TEST(SlackChain, OfLightLinksHoldsAHeavyBobThatSnapsItTaut) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const double degrees : {100.0, 120.0, 175.0})
+            for (const double mass : {100.0, 1000.0}) {
+                Slack chain(settings, JointType::ball);
+                const double angle = radians(degrees);
+                const Vec3 along(std::sin(angle), -std::cos(angle), 0);
+                for (int i = 0; i < 40; ++i) chain.addLink(along);
+                const BodyDef bob = body(Shape::sphere(0.1), {0, 0, 0}, mass);
+                chain.add(bob, chain.end + 0.1 * along, chain.anchor, -0.1 * along);
+                const auto [gap, gain] = chain.watch(360);
+                EXPECT_LT(gap, 1e-3) << degrees << " degrees, " << mass << " kg";
+                EXPECT_LT(gain, 0.01 * mass * kGravity * 16.0) << degrees << " degrees, " << mass << " kg";
+            }
+}
+
+// Its middle is as heavy as a thousand links, starts above the posts and falls between them.
+TEST(SlackChain, BetweenTwoPostsHoldsAHeavyMiddle) {
+    for (const Settings& settings : {Settings::steady(), Settings::fast()})
+        for (const JointType type : {JointType::ball, JointType::hinge, JointType::distance})
+            for (const double slack : {0.02, 0.2}) {
+                constexpr int kLinks = 20;
+                Slack chain(settings, type);
+                const double half = 0.1 * kLinks / (1.0 + slack), rise = std::sqrt(0.01 * kLinks * kLinks - half * half);
+                const Vec3 along = Vec3(half, rise, 0).normalized();
+                for (int i = 0; i < kLinks; ++i) {
+                    if (type == JointType::distance && i == kLinks - 1) continue;  // from the last ball to the post
+                    const double up = i < kLinks / 2 ? along.y() : -along.y();
+                    chain.addLink({along.x(), up, 0}, i == kLinks / 2 ? 1000.0 : 1.0);
+                }
+                BodyDef post = support::hook({2.0 * half, 0, 0});
+                chain.join(chain.world.add(post), chain.anchor, Vec3::Zero());
+                const auto [gap, gain] = chain.watch(300);
+                EXPECT_LT(gap, 2e-3) << static_cast<int>(type) << ", slack " << slack;
+                EXPECT_LT(gain, 0.01 * 1000.0 * kGravity * 2.0 * rise) << static_cast<int>(type) << ", slack " << slack;
+            }
 }
 
 }  // namespace
