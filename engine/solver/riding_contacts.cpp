@@ -51,7 +51,7 @@ void RidingContacts::find(std::span<const Contact> contacts, std::span<const Joi
         const Contact& c = contacts[k];
         if (c.friction <= 0.0 || !rides_[islandOf(c)]) continue;
         RidingContact& riding = list_.emplace_back();
-        riding.number = static_cast<int>(k), riding.a = c.a, riding.b = c.b;
+        riding.number = static_cast<int>(k), riding.count = c.count, riding.a = c.a, riding.b = c.b;
         if (carries_[c.a] != carries_[c.b]) riding.carrier = carries_[c.a] ? c.a : c.b;
         Vec3 onA = Vec3::Zero(), onB = Vec3::Zero();
         for (int i = 0; i < c.count; ++i) onA += c.points[i].anchorA, onB += c.points[i].anchorB;
@@ -62,7 +62,7 @@ void RidingContacts::find(std::span<const Contact> contacts, std::span<const Joi
 
 void RidingContacts::begin(const Bodies& bodies, std::span<const Pose> posesAtStart) {
     for (RidingContact& c : list_) {
-        c.lead = c.turn = Vec3::Zero();
+        c.lead = c.turn = c.drift = Vec3::Zero();
         const int body = bodies.movable(c.a, c.b);
         if (!bodies.acts[body]) continue;
         if (c.carrier < 0 && !(bodies.isDynamic(c.a) && bodies.isDynamic(c.b))) continue;  // the floor
@@ -72,9 +72,10 @@ void RidingContacts::begin(const Bodies& bodies, std::span<const Pose> posesAtSt
         if (size == 0.0 || h * h * size > kMostCarrierTurn * kMostCarrierTurn) continue;
         const Vec3 rho = bodies.poses[c.b].position - bodies.poses[c.a].position;
         const Vec3 before = posesAtStart[c.b].position - posesAtStart[c.a].position;
+        c.drift = rho - before;
         const Vec3 u = a.cross(c.armA) - b.cross(c.armB);
         const double share = clamped(w.dot(c.carrier == c.a ? b : a) / size, 0.0, 1.0);
-        c.lead = w.cross(rho - before + 0.5 * h * u) + share * restOfChord(w, rho, h);
+        c.lead = w.cross(c.drift + 0.5 * h * u) + share * restOfChord(w, rho, h);
         c.turn = share * h * w;
     }
 }

@@ -11,6 +11,11 @@
 /// The force that holds a rider turns too, so the impulses from which friction starts are turned by c h w.
 /// Without that, sweeps that end at their tolerance leave the same error in every sub-step.
 ///
+/// The rows' arms are those of the beginning of the step, too: a carrier that is not kinematic would be turned by what
+/// holds its riders inwards, P, as if they were where they had been. It gets what is missing, from
+///   L = -(rho - rho_0) x P
+/// without which a merry-go-round with two blocks of 100 kg gained 42 % of its energy in ten seconds.
+///
 /// Only islands on a moving kinematic body, or on a body held by a hinge, are concerned.
 #pragma once
 #include <span>
@@ -25,12 +30,13 @@ namespace engine {
 
 /// A contact of such an island.
 struct RidingContact {
-    int number = -1;          // index of the contact
+    int number = -1, count = 0;  // index of the contact, and its points
     int carrier = -1;         // a or b, the body that carries the other; -1: neither, w is their mean
     int a = -1, b = -1;
     Vec3 armA, armB;          // m, to the middle of its points, when the rows were made
     Vec3 lead = Vec3::Zero(); // m/s, of b relative to a, in this sub-step
     Vec3 turn = Vec3::Zero(); // rad, of the start impulses
+    Vec3 drift = Vec3::Zero();  // m, rho - rho_0
 };
 
 class RidingContacts {
@@ -40,6 +46,20 @@ public:
               DisjointSets& islands);
     /// At the beginning of a sub-step: sets the leads.
     void begin(const Bodies& bodies, std::span<const Pose> posesAtStart);
+
+    /// After a sub-step's impulses, of which impulseOf(riding contact) is the sum on b, N s: turns carriers by what the arms
+    /// lack. Returns whether there are any.
+    template <class ImpulseOf>
+    bool finish(Bodies& bodies, const ImpulseOf& impulseOf) const {
+        bool any = false;
+        for (const RidingContact& c : list_) {
+            if (c.carrier < 0 || !bodies.isDynamic(c.carrier) || c.drift.isZero(0.0)) continue;
+            bodies.velocities[c.carrier].angular -=
+                bodies.inverseMasses[c.carrier].angular * c.drift.cross(impulseOf(c));
+            any = true;
+        }
+        return any;
+    }
 
     std::span<const RidingContact> list() const { return list_; }
 

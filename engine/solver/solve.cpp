@@ -3,6 +3,7 @@
 #include "engine/solver/drives.h"
 #include "engine/solver/impulses.h"
 #include "engine/solver/methods.h"
+#include "engine/solver/prepare_contacts.h"
 
 namespace engine {
 namespace {
@@ -175,6 +176,18 @@ void solveIslands(Solver& s, Bodies& bodies, const Settings& settings, double h,
         bookImpulses(s.constraints);
 }
 
+bool turnCarriers(const Solver& s, Bodies& bodies) {
+    return s.constraints.riding.finish(bodies, [&](const RidingContact& c) {
+        const Vec3 n = s.lanes ? s.wide.normalOf(c.number) : s.constraints.contacts[c.number].n;
+        Vec3 sum = Vec3::Zero();
+        for (int i = 0; i < c.count; ++i) {
+            const PointImpulses got = impulsesOf(s, c.number, i);
+            sum += got.normal * n + got.friction;
+        }
+        return sum;
+    });
+}
+
 }  // namespace
 
 bool solvedAtOnce(const Solver& s, int group) {
@@ -191,6 +204,8 @@ void solveConstraints(Solver& solver, Bodies& bodies, const Settings& settings, 
         solveIslands(solver, bodies, settings, h, report);
     else
         solveByMethod(solver.constraints, solver.trees, v, settings, h, report);
+    if (turnCarriers(solver, bodies))
+        for (const JointGroup& group : solver.actingJoints) solver.trees.projectVelocities(group.number, v);
     for (const JointGroup& group : solver.actingJoints) solver.trees.keepStart(group.number, v);
     if (!solver.actingJoints.empty()) keepRates(solver.constraints, bodies);
 }

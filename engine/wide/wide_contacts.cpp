@@ -372,6 +372,8 @@ PointImpulses WideContacts::impulses(int contact, int i) const {
     return got;
 }
 
+Vec3 WideContacts::normalOf(int contact) const { return get3(batches_[place_[contact] / 8].n, place_[contact] % 8); }
+
 void WideContacts::store(std::span<Contact> contacts) const {
     constexpr int kLeast = 256;  // contacts per thread
     workers_->share(static_cast<int>(contacts.size()), kLeast, [&](int first, int end, int) {

@@ -74,6 +74,7 @@ public:
     std::span<const WideVelocity> nudge(const Settings& settings, double most);
 
     PointImpulses impulses(int contact, int point) const;
+    Vec3 normalOf(int contact) const;
     /// Stores the impulses of the last sub-step for the next step.
     void store(std::span<Contact> contacts) const;
 
