@@ -220,14 +220,14 @@ void keep(Bytes& bytes, Joint& joint) {
 template <class Bytes>
 void keep(Bytes& bytes, JointConstraint& c) {
     bytes.within(c.count, 0, JointRows::kMaxRows);
-    bytes(c.error, c.bias, c.softness, c.lambda, c.kept);
+    bytes(c.error, c.bend, c.bias, c.softness, c.lambda, c.kept);
 }
 
 template <class Bytes>
 void keep(Bytes& bytes, JointDrive& drive) {
     for (int i = 0; i < drive.count; ++i) {
         DriveRow& row = drive.rows[i];
-        bytes(row.sign, row.weight, row.error, row.bias, row.softness, row.rate, row.low, row.high, row.lambda);
+        bytes(row.sign, row.weight, row.error, row.bend, row.bias, row.softness, row.rate, row.low, row.high, row.lambda);
         bytes.require(row.weight > 0.0 && row.weight <= 1.0);
         bytes(drive.along[drive.placeOf(row)]);
     }

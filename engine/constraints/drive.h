@@ -37,6 +37,7 @@ struct DriveRow {
     double weight = 1.0;           // m of an angle; J, C and the speed of a motor are multiplied by it
     double sign = 1.0;             // s of a limit
     double error = 0.0;            // C, m or rad
+    double bend = 0.0;             // kappa of a limit (solver/chords.h), m/s or rad/s
     double bias = 0.0;             // b, m/s or rad/s
     double softness = 0.0;         // of a spring
     double rate = 0.0;             // m/s or rad/s, after the last solve; used with an inertia
@@ -171,7 +172,7 @@ inline void setBias(DriveRow& row, double k, const Settings& settings, double h)
         row.low = -row.high;
     } else {
         if (!isHeld(row)) row.low = 0.0;
-        row.bias = (row.error > 0.0 && !isHeld(row) ? 1.0 : settings.baumgarte) * row.error / h;
+        row.bias = (row.error > 0.0 && !isHeld(row) ? 1.0 : settings.baumgarte) * row.error / h + row.bend;
     }
 }
 

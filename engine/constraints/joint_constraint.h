@@ -99,6 +99,7 @@ struct JointConstraint {
     double kept = 1.0;   // share of the previous impulses used as the start in this sub-step
     std::array<Row, 6> rows;
     std::array<double, 6> error{}, bias{}, softness{}, lambda{};
+    std::array<double, 6> bend{};  // kappa (solver/chords.h), m/s or rad/s
     Spring spring;
     std::array<Spring, 6> springs;  // of a soft joint's rows, by k and c
     std::array<double, 6> before{};  // u of a soft joint's rows: rates before the sub-step's forces

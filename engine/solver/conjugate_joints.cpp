@@ -9,7 +9,7 @@ constexpr double kParallel = 1e-9;  // squared sine between the sweep and the la
 template <class Visit>
 void eachRow(const Constraints& c, JointTrees& trees, int group, const Visit& visit) {
     trees.eachJoint(group, [&]<int N>(TreeJoint<N>& joint, const InverseMass&, const InverseMass&) {
-        for (int i = 0; i < N; ++i) visit(joint.lambda[i], trees.biasRate() * joint.now.error[i], joint.softness[i]);
+        for (int i = 0; i < N; ++i) visit(joint.lambda[i], trees.biasRate() * joint.now.error[i] + joint.bend[i], joint.softness[i]);
     });
     for (const int k : c.jointsOutside.of(group)) {
         const JointConstraint& joint = c.joints[k];

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/solver/block_factors.h"
+#include "engine/solver/chords.h"
 #include "engine/solver/joint_nudges.h"
 #include "engine/solver/nudges.h"
 
@@ -117,6 +118,22 @@ Jacobian jacobianIn(const JointRows& free, DriveRow& row) {
     return j;
 }
 
+/// Of limits, if any may act.
+void setBends(const Joint& joint, const JointRows& now, const Bodies& bodies, bool mayAct, JointDrive& drive) {
+    const std::span<DriveRow> rows = std::span(drive.rows).first(drive.count);
+    for (DriveRow& row : rows) row.bend = 0.0;
+    if (!mayAct || std::ranges::none_of(rows, [](const DriveRow& row) { return row.kind == DriveKind::limit; })) return;
+    const Chord chord(bodies, drive.a, drive.b);
+    if (chord.h == 0.0 || joint.def.type == JointType::path) return;
+    const JointRows atEnd = coordinatesOf(joint, chord.a, chord.b);
+    for (DriveRow& row : rows) {
+        if (row.kind != DriveKind::limit) continue;
+        const int i = row.coordinate;
+        const double rate = velocityAlong(now.j[i], bodies.velocities[drive.a], bodies.velocities[drive.b]);
+        row.bend = row.sign * row.weight * chord.bend(atEnd.error[i], now.error[i], rate);
+    }
+}
+
 /// Of a coordinate, by k and c.
 Spring springOf(const Joint& joint, int coordinate) {
     const Freedom& f = joint.def.free[coordinate];
@@ -163,6 +180,7 @@ void prepareDrives(std::span<Joint> joints, const Bodies& bodies, int group, Con
             const double h = bodies.spans[bodies.movable(drive.a, drive.b)];
             far = far && hardlyActs(row, rate, h);
         }
+        setBends(joint, free, bodies, !far, drive);
         const InverseMass &massA = bodies.inverseMasses[drive.a], &massB = bodies.inverseMasses[drive.b];
         const HeldRows held = far ? HeldRows() : HeldRows(joint, bodies, drive.a, drive.b);
         for (DriveRow& row : std::span(drive.rows).first(drive.count))

@@ -48,7 +48,7 @@ void setBiases(JointConstraint& joint, const Settings& settings, double h) {
         const SoftRow soft = joint.spring.isSoft()
                                  ? softRow(joint.springs[i], joint.rows[i].k, joint.error[i],
                                            joint.before[i], h, settings.springs)
-                                 : SoftRow{0.0, settings.baumgarte * joint.error[i] / h};
+                                 : SoftRow{0.0, settings.baumgarte * joint.error[i] / h + joint.bend[i]};
         joint.softness[i] = soft.softness;
         joint.bias[i] = soft.bias;
     }

@@ -57,7 +57,7 @@ void JoinedStart::measure(Solver& s, int group, const Bodies& bodies) {
     const auto islandOf = [&](int a, int b) -> double& { return brought_[s.islands.leaderOf(bodies.movable(a, b))]; };
     s.trees.eachJoint(group, [&](const auto& joint, const InverseMass&, const InverseMass&) {
         const auto rate = velocityAlong(joint, midway(joint.a, v), midway(joint.b, v));
-        islandOf(joint.a, joint.b) += joint.lambda.dot(rate + s.trees.biasRate() * joint.now.error +
+        islandOf(joint.a, joint.b) += joint.lambda.dot(rate + s.trees.biasRate() * joint.now.error + joint.bend +
                                                        0.5 * joint.softness.cwiseProduct(joint.lambda));
     });
     const auto add = [&](const Row& row, double sign, double lambda, double bias, double softness, int a, int b) {

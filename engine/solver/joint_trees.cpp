@@ -41,6 +41,7 @@ void JointTrees::prepare(int group, std::span<const Joint> joints, const Bodies&
     for (Forest& forest : forests_)
         forest.each([&](auto& part) {
             part.place(part.of(group), joints, bodies.poses);
+            part.bend(part.of(group), joints, bodies);
             part.factor(part.of(group), bodies.inverseMasses);
         });
 }

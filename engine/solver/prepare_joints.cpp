@@ -1,5 +1,6 @@
 #include "engine/solver/prepare_joints.h"
 
+#include "engine/solver/chords.h"
 #include "engine/solver/drives.h"
 
 namespace engine {
@@ -17,6 +18,24 @@ void sortInto(int groups, const GroupOf& groupOf, Solver& solver) {
     });
     c.drivesByGroup.sort(drives, groups, [&](int i) { return groupOf(c.drives[i].a, c.drives[i].b); });
     solver.treeDrives.sort(c, solver.trees, groups);
+}
+
+/// Of a rigid joint outside the trees.
+void setBends(Joint& joint, const JointRows& now, const Bodies& bodies, JointConstraint& c) {
+    c.bend.fill(0.0);
+    if (c.inTree || c.spring.isSoft()) return;
+    const Chord chord(bodies, c.a, c.b);
+    if (chord.h == 0.0) return;
+    const bool follows = joint.def.type == JointType::gear || joint.def.type == JointType::path;
+    const auto nearest = joint.nearest;
+    const auto position = joint.position;
+    if (follows) followCoordinates(joint, chord.a, chord.b);
+    const JointRows atEnd = rowsOf(joint.def.type, geometryOf(joint, chord.a, chord.b));
+    joint.nearest = nearest, joint.position = position;
+    for (int i = 0; i < c.count; ++i) {
+        const double rate = velocityAlong(now.j[i], bodies.velocities[c.a], bodies.velocities[c.b]);
+        c.bend[i] = chord.bend(atEnd.error[i], now.error[i], rate);
+    }
 }
 
 }  // namespace
@@ -73,6 +92,7 @@ void prepareJoints(std::span<Joint> joints, const Bodies& bodies, const Settings
             c.rows[i] = makeRow(rows.j[i], bodies.inverseMasses[c.a], bodies.inverseMasses[c.b]);
             c.error[i] = rows.error[i];
         }
+        setBends(joint, rows, bodies, c);
     }
     solver.trees.prepare(group, joints, bodies);
     prepareDrives(joints, bodies, group, solver.constraints);

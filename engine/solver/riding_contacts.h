@@ -47,8 +47,8 @@ public:
     /// At the beginning of a sub-step: sets the leads.
     void begin(const Bodies& bodies, std::span<const Pose> posesAtStart);
 
-    /// After a sub-step's impulses, of which impulseOf(riding contact) is the sum on b, N s: turns carriers by what the arms
-    /// lack. Returns whether there are any.
+    /// After a sub-step's impulses, of which impulseOf(riding contact) is the sum on b, N s: turns carriers by what
+    /// the arms lack. Returns whether there are any.
     template <class ImpulseOf>
     bool finish(Bodies& bodies, const ImpulseOf& impulseOf) const {
         bool any = false;

@@ -55,6 +55,7 @@ struct TreeJoint {
     Twist<N> twistOfA;         // gear: on a
     TreeGeometry<N> now;
     TreeRows<N> lambda = TreeRows<N>::Zero();                  // N s, N m s; of this sub-step
+    TreeRows<N> bend = TreeRows<N>::Zero();                    // kappa (chords.h), m/s, rad/s; 0 with RATTLE
     TreeRows<N> softness = TreeRows<N>::Zero();                // gamma, 1/kg, 1/(kg m^2)
     Vec3 impulse = Vec3::Zero(), torque = Vec3::Zero();        // on b, over the whole step
 };

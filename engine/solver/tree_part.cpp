@@ -4,6 +4,7 @@
 
 #include "engine/dynamics/integration.h"
 #include "engine/dynamics/rotation.h"
+#include "engine/solver/chords.h"
 
 namespace engine {
 namespace {
@@ -146,6 +147,20 @@ void TreePart<N>::place(std::span<const int> trees, std::span<const Joint> joint
 }
 
 template <int N>
+void TreePart<N>::bend(std::span<const int> trees, std::span<const Joint> joints, const Bodies& bodies) {
+    for (const int number : trees) {
+        if (trees_[number].whole || trees_[number].inNet) continue;
+        for (TreeJoint<N>& joint : jointsIn(number)) {
+            const Chord chord(bodies, joint.a, joint.b);
+            joint.bend.setZero();
+            if (chord.h == 0.0) continue;
+            const TreeRows<N> rate = velocityAlong(joint, bodies.velocities[joint.a], bodies.velocities[joint.b]);
+            joint.bend = (errorAlong(joint, joints[joint.joint], chord.a, chord.b) - joint.now.error) / chord.h - rate;
+        }
+    }
+}
+
+template <int N>
 TreeBlock<N> TreePart<N>::coupling(const TreeJoint<N>& i, const TreeJoint<N>& k, int body) const {
     const bool ofB = i.b == body, toB = k.b == body;
     TreeBlock<N> block = couplingThrough<N>(
@@ -211,7 +226,7 @@ void TreePart<N>::solveVelocities(std::span<const int> trees, double biasRate, s
         const Tree& tree = trees_[number];
         for (int k = tree.first; k < tree.end; ++k) {
             const TreeJoint<N>& joint = joints_[k];
-            x_[k] = -velocityAlong(joint, v[joint.a], v[joint.b]) - biasRate * joint.now.error -
+            x_[k] = -velocityAlong(joint, v[joint.a], v[joint.b]) - biasRate * joint.now.error - joint.bend -
                     joint.softness.cwiseProduct(joint.lambda);
             correction.add(x_[k].cwiseAbs().maxCoeff(), 0.0);
         }
@@ -323,7 +338,8 @@ void TreePart<N>::nudge(std::span<const int> trees, const TreeNudge& nudge, std:
         const bool mayBeRepeated = mayRepeat(tree, nudge);
         if (mayBeRepeated) keepLed(tree, bodies.poses);
         nudgeUntilMet(tree, nudge, joints, bodies);
-        if (mayBeRepeated && !tree.anew && tree.ratio > (tree.closed ? kSmall : kMet)) repeat(tree, nudge, joints, bodies);
+        const bool failed = !tree.anew && tree.ratio > (tree.closed ? kSmall : kMet);
+        if (mayBeRepeated && failed) repeat(tree, nudge, joints, bodies);
     }
 }
 

@@ -39,11 +39,14 @@ public:
 
     /// Computes J and C at the bodies' poses.
     void place(std::span<const int> trees, std::span<const Joint> joints, std::span<const Pose> poses);
+    /// Computes kappa of trees without RATTLE, because other joints act on their bodies; but not of nets, which whip
+    /// more with it, and need more sub-steps then.
+    void bend(std::span<const int> trees, std::span<const Joint> joints, const Bodies& bodies);
     /// Factors A, for the present J; `masses` are at the same poses.
     void factor(std::span<const int> trees, std::span<const InverseMass> masses);
     /// Applies the share `keep` of the impulses of the last sub-step; 0, and trees outside nets, only discard them.
     void warmStart(std::span<const int> trees, double keep, std::span<Velocity> v);
-    /// Solves J v + biasRate C + gamma lambda = 0 in these trees; gamma: 0 but in nets.
+    /// Solves J v + kappa + biasRate C + gamma lambda = 0 in these trees; gamma: 0 but in nets.
     void solveVelocities(std::span<const int> trees, double biasRate, std::span<Velocity> v,
                          Correction& correction);
     /// Adds to the changes v of velocities by some impulse those by which a tree responds, and appends its impulses.
@@ -88,7 +91,7 @@ public:
     void keep(Bytes& bytes) {
         for (TreeJoint<N>& joint : joints_) {
             TreeGeometry<N>& g = joint.now;
-            bytes(joint.lambda, g.armA, g.armB, g.error);
+            bytes(joint.lambda, joint.bend, g.armA, g.armB, g.error);
             if (joint.type == JointType::hinge) bytes(g.along);
             for (int i = 0; i < joint.pointRows && joint.pointRows < 3; ++i) bytes(g.point[i]);
             if constexpr (N > 3) bytes(g.twist);

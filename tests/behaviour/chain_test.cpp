@@ -136,15 +136,16 @@ TEST(SoftChain, OfALightBodyBetweenHeavyOnesGainsNoEnergy) {
         }
 }
 
-/// Joints of `type` between two posts, or from one to a bob at the angle (degrees from straight down); links of 1 kg and
-/// 20 cm, or rods between balls of 1 kg.
+/// Links of 1 kg and 20 cm, or rods between balls of 1 kg, from a post to a bob or to another post.
 struct Slack {
     World world;
     BodyId last;
     Vec3 anchor = Vec3::Zero(), end = Vec3::Zero();
     JointType type;
 
-    Slack(const Settings& settings, JointType joints) : world(settings), type(joints) { last = world.add(support::hook()); }
+    Slack(const Settings& settings, JointType joints) : world(settings), type(joints) {
+        last = world.add(support::hook());
+    }
     BodyId add(BodyDef def, const Vec3& at, const Vec3& anchorA, const Vec3& anchorB) {
         def.collide = false, def.pose.position = at;
         const BodyId next = world.add(def);
@@ -207,7 +208,8 @@ TEST(SlackChain, BetweenTwoPostsHoldsAHeavyMiddle) {
             for (const double slack : {0.02, 0.2}) {
                 constexpr int kLinks = 20;
                 Slack chain(settings, type);
-                const double half = 0.1 * kLinks / (1.0 + slack), rise = std::sqrt(0.01 * kLinks * kLinks - half * half);
+                const double half = 0.1 * kLinks / (1.0 + slack);
+                const double rise = std::sqrt(0.01 * kLinks * kLinks - half * half);
                 const Vec3 along = Vec3(half, rise, 0).normalized();
                 for (int i = 0; i < kLinks; ++i) {
                     if (type == JointType::distance && i == kLinks - 1) continue;  // from the last ball to the post
@@ -218,7 +220,7 @@ TEST(SlackChain, BetweenTwoPostsHoldsAHeavyMiddle) {
                 chain.join(chain.world.add(post), chain.anchor, Vec3::Zero());
                 const auto [gap, gain] = chain.watch(300);
                 EXPECT_LT(gap, 2e-3) << static_cast<int>(type) << ", slack " << slack;
-                EXPECT_LT(gain, 0.01 * 1000.0 * kGravity * 2.0 * rise) << static_cast<int>(type) << ", slack " << slack;
+                EXPECT_LT(gain, 10.0 * kGravity * 2.0 * rise) << static_cast<int>(type) << ", slack " << slack;
             }
 }
 

@@ -204,7 +204,7 @@ Outcome mainBeside(Main main, Beside what, Settings settings, bool lanes) {
 double allowed(Main main, Beside what, bool lanes) {
     if (what == Beside::fastBall) return lanes ? 1e-3 : 1e-9;
     if (what == Beside::tumblingDie) return 5e-3;
-    return main == Main::limits && what == Beside::motor ? 1e-9 : 0.0;
+    return main == Main::limits || main == Main::ragdoll ? 1e-9 : 0.0;
 }
 
 std::string nameOfMain(const testing::TestParamInfo<std::tuple<Main, bool>>& one) {

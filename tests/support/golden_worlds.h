@@ -173,7 +173,7 @@ inline const std::array<GoldenWorld, 8>& goldenWorlds() {
         {"chain", goldenChain, 300, 0xa5b1bea430c3fad6},
         {"pyramid", goldenPyramid, 60, 0x92f6a19dda0fda13},
         {"forces", goldenForces, 300, 0x4d08300dcdb0ace4},
-        {"machine", goldenMachine, 300, 0xea8a38c3a0268f8d},
+        {"machine", goldenMachine, 300, 0x250d654e4a444e01},
         {"shapes", goldenShapes, 180, 0xa6f2dd1c0e2b19b},
         {"rolling", goldenRolling, 300, 0x41204f6f5b5f9a7b},
     }};
