@@ -10,7 +10,7 @@
 /// error is no longer small compared with the lever arm, undone where Newton's method does not converge, and
 /// used only for trees that are solved exactly: feeding back the errors that the forests of a cloth leave
 /// each other is unstable. Where Newton's method fails, as in chains that snap taut, the sub-step is repeated by
-/// implicit Euler (tree_implicit.cpp), which loses energy and holds.
+/// implicit Euler (tree_implicit.h), which loses energy and holds.
 #pragma once
 #include "engine/solver/solver.h"
 

@@ -5,6 +5,7 @@
 #include "engine/dynamics/integration.h"
 #include "engine/dynamics/rotation.h"
 #include "engine/solver/chords.h"
+#include "engine/solver/tree_implicit.h"
 
 namespace engine {
 namespace {

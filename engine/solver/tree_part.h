@@ -146,7 +146,7 @@ private:
         Velocity kept = {};             // at the start, before any feedback
         Vec3 spin = Vec3::Zero();       // at the start, with feedback
     };
-    /// By member: a sub-step that is repeated by implicit Euler (tree_implicit.cpp).
+    /// By member: a sub-step that is repeated by implicit Euler (tree_implicit.h).
     struct Repeat {
         Pose led, nudged;                // where its velocity led, and nudges did
         Pose target;                     // q*

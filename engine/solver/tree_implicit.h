@@ -13,32 +13,24 @@
 /// Four or five steps are enough. Links that move across the chain lose their energy, as in a real one. It may not
 /// grow: on a surface as curved as that of C the nearest point may be far away, and v larger than v*; it is scaled
 /// then.
+#pragma once
 #include "engine/dynamics/energy.h"
 #include "engine/dynamics/rotation.h"
 #include "engine/solver/tree_part.h"
 
 namespace engine {
-namespace {
-
-constexpr int kMostSteps = 40;
-constexpr double kFits = 1e-3;       // of the lever arms: the error with which a sub-step may start
-constexpr double kReached = 1e-7;    // of the lever arms
-constexpr double kReachable = 1e-4;  // of the lever arms: the error that is accepted after all steps
-constexpr double kFarthest = 0.3;    // rad, in a step
-constexpr double kShortest = 1e-3;   // m, of a rod
 
 /// By how much a pull (N s^2) makes the body harder to turn across the arm, relative to its inertia.
-double stiffnessOf(const InverseMass& mass, const Vec3& arm, double pull) {
+inline double stiffnessOf(const InverseMass& mass, const Vec3& arm, double pull) {
     const double r = arm.norm();
     if (r == 0.0 || mass.linear == 0.0) return 0.0;
     const Vec3 along = arm / r;
     return pull * r * 0.5 * (mass.angular.trace() - along.dot(mass.angular * along));
 }
 
-}  // namespace
-
 template <int N>
 bool TreePart<N>::mayRepeat(const Tree& tree, const TreeNudge& nudge) const {
+    constexpr double kFits = 1e-3;  // of the lever arms
     if (!tree.whole || tree.damped || !nudge.feeds || nudge.pushed) return false;
     for (int k = tree.first; k < tree.end; ++k)
         if (joints_[k].now.error.cwiseAbs().maxCoeff() > kFits * joints_[k].reach) return false;
@@ -73,6 +65,7 @@ void TreePart<N>::findTargets(const Tree& tree, Bodies& bodies) {
 
 template <int N>
 void TreePart<N>::stiffen(const Tree& tree, const Bodies& bodies) {
+    constexpr double kShortest = 1e-3;  // m, of a rod
     for (int i = tree.firstMember; i < tree.endMember; ++i) {
         masses_[i] = bodies.inverseMasses[members_[i].body];
         repeats_[i].inertia = repeats_[i].mass = 1.0;
@@ -124,6 +117,7 @@ void TreePart<N>::solveStep(const Tree& tree, const Bodies& bodies) {
 /// Moves by dq, as far as it is a good direction. Returns whether that was all of it.
 template <int N>
 bool TreePart<N>::takeStep(const Tree& tree, Bodies& bodies) {
+    constexpr double kFarthest = 0.3;  // rad
     double most = 0.0;
     for (int i = tree.firstMember; i < tree.endMember; ++i) most = larger(most, moved_[i].angular.norm());
     const double share = most > kFarthest ? kFarthest / most : 1.0;
@@ -176,6 +170,8 @@ double TreePart<N>::lookAnew(const Tree& tree, std::span<const Joint> joints, st
 
 template <int N>
 void TreePart<N>::repeat(Tree& tree, const TreeNudge& nudge, std::span<const Joint> joints, Bodies& bodies) {
+    constexpr int kMostSteps = 40;
+    constexpr double kReached = 1e-7, kReachable = 1e-4;  // of the lever arms: at best, and after all steps
     for (int i = tree.firstMember; i < tree.endMember; ++i) repeats_[i].nudged = bodies.poses[members_[i].body];
     takeBackFeedback(tree, nudge, bodies);
     findTargets(tree, bodies);
@@ -194,15 +190,5 @@ void TreePart<N>::repeat(Tree& tree, const TreeNudge& nudge, std::span<const Joi
     for (int k = tree.first; k < tree.end; ++k)
         book(joints_[k], TreeRows<N>(fed_[k] / tree.h - joints_[k].lambda), 1.0);
 }
-
-template bool TreePart<3>::mayRepeat(const Tree&, const TreeNudge&) const;
-template bool TreePart<5>::mayRepeat(const Tree&, const TreeNudge&) const;
-template bool TreePart<6>::mayRepeat(const Tree&, const TreeNudge&) const;
-template void TreePart<3>::keepLed(const Tree&, std::span<const Pose>);
-template void TreePart<5>::keepLed(const Tree&, std::span<const Pose>);
-template void TreePart<6>::keepLed(const Tree&, std::span<const Pose>);
-template void TreePart<3>::repeat(Tree&, const TreeNudge&, std::span<const Joint>, Bodies&);
-template void TreePart<5>::repeat(Tree&, const TreeNudge&, std::span<const Joint>, Bodies&);
-template void TreePart<6>::repeat(Tree&, const TreeNudge&, std::span<const Joint>, Bodies&);
 
 }  // namespace engine
