@@ -1,5 +1,5 @@
 // Joints outside the trees, limits, and trees beside them follow the chord (solver/chords.h): they keep angular
-// momentum and energy. Along the tangent a taut rope lost a quarter of both in half a minute.
+// momentum and energy. Along the tangent a taut rope lost 26 % of one and 44 % of the other in half a minute.
 #include <gtest/gtest.h>
 
 #include <string>
